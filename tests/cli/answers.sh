@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The page of answers of gears, cams and bearings: from nothing to it in two
-# commands; its numbers against the history and the drawing; the same of a run
-# that was stopped and resumed, in text, JSON and on the page.
+# Results for gears, cams and bearings at the end of a report: obtained by two
+# commands, compared with the history and the drawing, and the same after a
+# stop and resume, in text, JSON and on the page.
 . "$TOP/tests/support/cli.sh"
 
 # number KEY: that of the JSON in `out`.

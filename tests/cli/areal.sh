@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# shape = areal: the same map as SDF, X3P and a matrix of text; its numbers, the
-# width of the strip, refusals.
+# shape = areal: the same map as SDF, X3P and text matrix; parameters of the
+# map, width of the strip, rejected values.
 . "$TOP/tests/support/cli.sh"
 need_python zipfile
 

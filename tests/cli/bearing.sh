@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Rollers that follow each other over a dented raceway, the example bearing 209
-# on a coarse level: three that one point meets, a load for each as an
-# independent program has them (truth of tests/reference/elements_test.c),
-# another roller each time, oil that flows back in between, and lives that add.
+# Rollers in sequence on a dented raceway, the example bearing 209 on a coarse
+# level: three rollers met by one point with the loads of an independent
+# program (truth of tests/reference/elements_test.c), another roller each time,
+# replenishment between them, and combined lives.
 . "$TOP/tests/support/cli.sh"
 
 cp "$TOP/tools/examples/bearing.ini" three.ini

@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What lies beyond the model is named: on stderr, in --json, in the file.
+# Results outside the validity of a model are reported on stderr, in --json and
+# in the file.
 . "$TOP/tests/support/cli.sh"
 
 sized_dent_case 4 7 0.2 0.5 -4.6 >dent.ini

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# check: what it prints is itself a case that means the same.
+# check: its output is itself a case with the same meaning.
 . "$TOP/tests/support/cli.sh"
 
 cat >a.ini <<'END'

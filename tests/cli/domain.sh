@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The domain follows load and radius, of passes too; numbers that were given
-# stay, with what would do, and are refused only inside the dry contact.
+# Default domain for varying load and radius, also of passes. Given boundaries
+# are used, with a note about better ones, and rejected only inside the dry
+# contact.
 . "$TOP/tests/support/cli.sh"
 
 cat >ramp.ini <<'END'

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The element drawn: teeth touch where the path of contact says, tips end it; a
-# cam is as high as its lift; bars and places of a bearing's rollers; of a case
-# and of a result, and on the page.
+# Picture of a machine element: teeth touch on the path of contact, which ends
+# at the tip circles; lift of a cam; loads and positions of the rollers of a
+# bearing; from a case, from a result and on the page.
 . "$TOP/tests/support/cli.sh"
 need gnuplot
 

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Gears, cams and bearings as the case says them: their contact and way, what is
-# warned of, and each of their refusals.
+# Gears, cams and bearings specified in a case: contact and path, warnings, and
+# every rejected input.
 . "$TOP/tests/support/cli.sh"
 
 # write NAME: the section on standard input, and what all three share.

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A result or page is refused under the name of another kind of file; the
-# warnings and answers of what a model holds name what is on.
+# A result or page with the suffix of another kind of file is rejected;
+# warnings about omitted models name the active ones.
 . "$TOP/tests/support/cli.sh"
 
 dent_case 5 1 0.02 0.5 -4.6 >dent.ini

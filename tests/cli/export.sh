@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# export and info against h5py: every choice of rows, fields, units and forms
-# gives the file's numbers; what there is not is refused.
+# export and info compared with h5py: every selection of rows, fields, units
+# and formats gives the numbers of the file; other selections are rejected.
 . "$TOP/tests/support/cli.sh"
 need_python h5py numpy
 

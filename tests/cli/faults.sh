@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What may happen to a file under a run: no room, removed, replaced, a second
-# writer.  One line each; what was written before stays readable, and resume
-# goes on from it.
+# Events that affect a file during the run: full disk, removed or replaced
+# file, second writer. Each causes a message of one line, earlier data remain
+# readable, and resume continues.
 . "$TOP/tests/support/cli.sh"
 
 dent_case 6 3 0.1 0.5 -3.6 >dent.ini

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A study's figure in one command: lines, a band over seeds, means and edges as
-# the summaries have them; from the study and from its table.
+# Picture of a study in one command: lines, a band over seeds, mean and limits
+# equal to those of the summaries; from the study and from its table.
 . "$TOP/tests/support/cli.sh"
 need gnuplot
 

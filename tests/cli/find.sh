@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# find: closed forms to 1e-9 without solving, answers of runs, inequalities
-# that hold, several answers, failed ends, what is refused; in a study, stopped
-# and resumed.
+# find: closed forms to 1e-9 without runs, answers from runs, inequalities,
+# several answers, failed ends, rejected input; in a study, stopped and
+# resumed.
 . "$TOP/tests/support/cli.sh"
 
 # close A B TOLERANCE: relative.

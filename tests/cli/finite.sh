@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# No report, JSON or file holds an infinite number or one that is none, and what
-# is called converged closes.
+# No report, JSON or file contains infinity or NaN as a number, and solutions
+# reported as converged satisfy the balances.
 . "$TOP/tests/support/cli.sh"
 
 value() {

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Files of somebody else are replaced with --force only: tables of find and
-# sweep, the manifest, cases of draws, profiles after wear.  Workers end when
-# their parent is killed, and the study resumes.
+# Files of other programs are replaced only with --force: tables of find and
+# sweep, the manifest, cases of samples, profiles after wear. Workers end if
+# their parent is killed, and the study is resumed.
 . "$TOP/tests/support/cli.sh"
 need_python h5py
 

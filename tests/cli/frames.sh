@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# frames and plot from the command line: files, resuming, refusals, a movie.
+# frames and plot: files, resuming, rejected input, a movie.
 . "$TOP/tests/support/cli.sh"
 need gnuplot
 

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every case of profiles/ runs to its end (on a coarse grid here) without a
-# warning or a marked step, its surface says where it is from, and its friction
-# is an oil's: none that slides has a coefficient above its limiting shear.
+# Every case of profiles/ runs to its end (on a coarse grid) without a warning
+# or a flagged step, its profile names its origin, and the friction coefficient
+# is realistic: at most the limiting shear stress coefficient in sliding.
 . "$TOP/tests/support/cli.sh"
 
 for case in "$TOP"/profiles/*.ini; do

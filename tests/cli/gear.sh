@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The example gear: its first touch runs with everything on, with a pair and a
-# flank of one's own too; and it is the gear that a script of tables once was,
-# whose geometry is written here again: the same films to 1e-6.
+# The example gear: its start of contact with all models, also with another
+# pair and another flank. The same case from tables of an independent script of
+# the geometry gives the same film thicknesses within 1e-6.
 . "$TOP/tests/support/cli.sh"
 
 gear() {

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Fatigue limits by depth, from a file: the same limit at all depths is that of
-# limit_pressure; else the largest share of the limit, found again from the
-# stored amplitudes; what is refused.
+# Fatigue limits by depth from a file: a constant limit is equal to
+# limit_pressure; otherwise the utilization is recalculated from the stored
+# amplitudes; rejected input.
 . "$TOP/tests/support/cli.sh"
 need_python h5py numpy
 

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# [heat]: a steady contact and a run from a case to files; resume; what it does
-# not go with.
+# [heat]: a steady contact and a run from a case to files; resume; incompatible
+# options.
 . "$TOP/tests/support/cli.sh"
 
 cat >hot.ini <<'END'

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What cannot be solved: named in one line, exit code 1, with the state that
-# was reached kept for inspection and no NaN in it.
+# Cases without solution: a message of one line, exit code 1, and the last
+# state stored for inspection without NaN.
 . "$TOP/tests/support/cli.sh"
 
 # gives_up REASON ARGUMENTS...

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# init: every kind with every oil is a case that can be checked; each kind runs.
+# init: every kind with every oil is a valid case, and each kind runs.
 . "$TOP/tests/support/cli.sh"
 
 for kind in roller gear cam bearing indented numbers starved; do

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A result file holds the files that its case names: `info --inputs` writes them
-# and the case, whose run has the same bits.  Names from a file stay inside the
-# folder; nothing is replaced without --force.
+# A result file contains the input files of its case: `info --inputs` writes
+# them and the case, whose run has the same bits. Names from a file stay inside
+# the folder; files are replaced only with --force.
 . "$TOP/tests/support/cli.sh"
 
 mkdir -p cases data away

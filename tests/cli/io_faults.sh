@@ -1,9 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every eleventh write and read of a run fails in turn, in make verify each: a
-# code of the program's own and one line each time; what is left is whole, or
-# known as cut (a disk that fails for good within a commit), and resume ends it
-# as if nothing had happened.  Short transfers and a failing fsync likewise.
+# Every eleventh write and read of a run fails in turn, in make verify each: an
+# exit code of the program and one line each time. The remaining file is
+# complete or recognized as interrupted (a disk that fails permanently during a
+# commit), and resume completes it with the same result. Also short transfers
+# and a failing fsync.
 STRIDE=${OVERROLL_VERIFY:+1}
 . "$TOP/tests/support/faults.sh"
 make_faults

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Runs killed at random instants and at writes: 6 and every 17th write; in make
+# Runs killed at random times and at writes: 6 and every 17th write; in make
 # verify 200 and each write.
 . "$TOP/tests/support/kills.sh"
 if [ -n "${OVERROLL_VERIFY:-}" ]; then

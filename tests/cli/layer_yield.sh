@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What layers use of their own yield and interfaces of their strength: of one
-# layer its maximum von Mises stress over it; of two the larger share, whichever
-# layer that is.
+# Utilization of the yield stress of layers and of the strength of interfaces:
+# for one layer its maximum von Mises stress divided by the yield stress, for
+# two layers the larger utilization.
 . "$TOP/tests/support/cli.sh"
 need_python json
 

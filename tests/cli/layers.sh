@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Layers on both bodies in a run in time, sliding, with heat and stresses: the
-# bodies exchanged; the film of the file by the images that it keeps; a run that
-# is killed goes on to the same digits.
+# Layers on both bodies in a transient sliding run with heat and stresses:
+# bodies exchanged; film thickness recalculated from the stored images; a
+# killed run resumes to the same digits.
 . "$TOP/tests/support/cli.sh"
 need_python h5py numpy
 

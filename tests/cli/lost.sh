@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Nothing is lost: no output replaces an input, no failure leaves half a file
-# or takes away what was there, closed streams and file systems without locks
-# are lived with, SIGHUP ends a run like SIGTERM.
+# No data are lost: outputs never replace inputs, failures leave no partial
+# files and keep existing ones, closed streams and file systems without locks
+# are handled, and SIGHUP ends a run like SIGTERM.
 . "$TOP/tests/support/faults.sh"
 make_dent
 expect 0 "$OVERROLL" run dent.ini -o a.h5 -q

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The manual pages and the completion as they are installed: every parameter
-# of the table is in overroll-case(5), every option and key is completed.
+# Installed manual pages and completion: overroll-case(5) contains every
+# parameter of the table, and every option and key is completed.
 . "$TOP/tests/support/cli.sh"
 
 page=$BUILD/overroll-case.5

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Too little memory for the program or libhdf5 is an error with a message, not a
-# signal, whatever the limit.
+# Too little memory for the program or libhdf5 is an error with a message and
+# not a signal, for any limit.
 . "$TOP/tests/support/cli.sh"
 [ -z "$INSTRUMENTED" ] || skip "sanitizers reserve memory of their own"
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A first-time user's mistakes: one clear line each, exit code 2.
+# Mistakes of a first-time user: one clear line each, exit code 2.
 . "$TOP/tests/support/cli.sh"
 
 refuses "no command 'stedy'; did you mean 'steady'" stedy

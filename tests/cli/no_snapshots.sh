@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A result file without a snapshot (a run stopped before its first): what needs
-# none works, the rest ends in one line that says what there is.
+# A result file without snapshots (a run stopped before the first one):
+# commands that need none work, the others end with a message of one line.
 . "$TOP/tests/support/cli.sh"
 
 cat >late.ini <<'END'

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Bodies, rotations, forces, data sheets, laws with constants of their own and
-# tables, from a case to the contact they mean.
+# Bodies, rotational speeds, forces, data sheets, lubricant relations with
+# their constants, and tables: from a case to the resolved contact.
 . "$TOP/tests/support/cli.sh"
 
 # number KEY: its value in `out`, JSON

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Result files open in other programs, without a warning: h5dump, ncdump, and
-# with Python h5py, netCDF4, xarray with both engines.
+# Result files are read without warnings by h5dump, ncdump and, in Python,
+# h5py, netCDF4 and xarray with both engines.
 . "$TOP/tests/support/cli.sh"
 
 cat >dent.ini <<'END'

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What is said of a run speaks of the whole of it first: the extremes are
-# those of its history, in --json, the summary, the file and a study's table,
-# and a run that was stopped and resumed knows them still.
+# Extremes over the run come first in reports. They are those of the history,
+# in --json, the summary, the file and the table of a study, also after a stop
+# and resume.
 . "$TOP/tests/support/cli.sh"
 
 sized_dent_case 4 7 0.2 0.5 -4.6 >dent.ini

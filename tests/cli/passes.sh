@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# [passes]: what leaves feeds the next pass where it lies, less what is lost;
-# a file each, a row each; stopped between and within passes, the same bits.
+# [passes]: the outlet layers, minus the loss, supply the next pass at their
+# positions; one file and one row per pass; the same bits after a stop between
+# and within passes.
 . "$TOP/tests/support/cli.sh"
 
 cat >roller.ini <<'END'

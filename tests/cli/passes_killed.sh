@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Killed as the last of several passes ends, between its file and its row:
-# resume writes the row that is missing, and tells what the run would have.
+# Killed at the end of the last of several passes, between its file and its
+# row: resume writes the missing row and prints the report of the run.
 . "$TOP/tests/support/faults.sh"
 make_faults
 

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A body that yields: nothing changes where nothing flows; what flows presses a
-# shoulder down, is stored, and goes on in a later run; a run that is killed
-# goes on to the same digits; what is refused.
+# Plastic deformation: no change below yield; otherwise the rim is reduced,
+# stored, and used by a later run; a killed run resumes to the same digits;
+# rejected input.
 . "$TOP/tests/support/cli.sh"
 . "$TOP/tests/support/indent.sh"
 need_python h5py numpy

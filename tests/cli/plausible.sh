@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Numbers that are possible and hardly meant: check and run name them and what
-# is usual.
+# Possible but unusual numbers: check and run print a warning with the usual
+# range.
 . "$TOP/tests/support/cli.sh"
 
 cat >usual.ini <<'END'

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# States that the disk may be in when the machine dies: of a run, and half as
-# many of the resuming of one.  15 in all; in make verify 201, of a longer run.
+# Possible states of the disk after a crash of the machine: of a run, and half
+# as many of a resumed run. 15 in all; in make verify 201, of a longer run.
 . "$TOP/tests/support/power.sh"
 if [ -n "${OVERROLL_VERIFY:-}" ]; then
     STATES=${STATES:-134} SEED=${SEED:-1}

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# profile: what is understood, what is asked for, conversion, picture, case.
+# profile: interpreted files, missing information, conversion, picture, case.
 . "$TOP/tests/support/cli.sh"
 
 dent=$TOP/profiles/dent.csv

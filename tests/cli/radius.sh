@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# [radius] in a case: what is said of it, what is refused, the history's
-# column, a killed run resumed, by every scheme.
+# [radius] in a case: report, rejected input, column of the history, a killed
+# run resumed, with every scheme.
 . "$TOP/tests/support/cli.sh"
 
 cat >tooth.ini <<'END'

@@ -1,8 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# [random] in a study: draws as the manual says by an independent program; 500
-# draws of a lognormal contact against the exact distribution; failed draws in
-# every probability; rows of a file stay together; common draws; refusals.
+# [random] in a study: samples compared with an independent program; 500
+# samples of a lognormal contact compared with the exact distribution; failed
+# samples in every probability; rows of a file remain together; common samples;
+# rejected input.
 . "$TOP/tests/support/cli.sh"
 need_python math statistics csv json
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The snippets of overroll-reading(7) that can be run do what they say.
+# The examples of overroll-reading(7) that can be run give correct results.
 . "$TOP/tests/support/cli.sh"
 need_python h5py xarray netCDF4 pandas
 need ncdump

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The recipes of overroll-recipes(7), one after the other as they stand there,
-# but for the level of the grid: each ends well, and says nothing of an error.
+# The recipes of overroll-recipes(7), in order, on coarser grids: each succeeds
+# without an error message.
 . "$TOP/tests/support/cli.sh"
 need gnuplot
 

@@ -1,7 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# [domain] refine = spike: from a case to files and back; what it does not go
-# with.
+# [domain] refine = spike: from a case to files and back; incompatible options.
 . "$TOP/tests/support/cli.sh"
 
 # near NAME WANTED SHARE: a number of the JSON in `out`.

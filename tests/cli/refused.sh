@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What run refuses before it solves check refuses too, in the same words with
-# the line; numbers in words without signs of zero, rounding and infinity.
+# check rejects what run rejects before the solution, with the same message and
+# line; numbers in messages have no sign of zero, rounding errors or infinity.
 . "$TOP/tests/support/cli.sh"
 
 # both_refuse PATTERN CASE

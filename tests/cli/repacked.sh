@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A result that h5repack or ncks saved anew, with their defaults, is read like
-# the first one, to the last digit, and resumed.
+# A result rewritten by h5repack or ncks with their defaults is read like the
+# original, to the last digit, and resumed.
 . "$TOP/tests/support/cli.sh"
 need h5repack ncks
 

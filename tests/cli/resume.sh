@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# resume: the same end as without interruption; what it refuses, and that
-# nothing is changed then; a lost checkpoint; a longer run.
+# resume: the same result as without interruption; rejected changes, after
+# which the file is unchanged; a lost checkpoint; a longer run.
 . "$TOP/tests/support/cli.sh"
 
 dent_case 5 3 0.1 1 -3.9 >dent.ini

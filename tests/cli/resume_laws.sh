@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Runs of films that shear thin, sliding that changes its sign, killed and gone
-# on with: the same end, to the last digit, whatever the law.
+# Runs with shear thinning and reversing sliding, killed and resumed: the same
+# result to the last digit for each rheological model.
 . "$TOP/tests/support/cli.sh"
 
 cat >dent.ini <<'END'

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A mean speed that reverses: stopped before, at and after the turn and gone on
-# with, the same end to the last digit, by every scheme; its domain; what it
-# cannot be combined with.
+# A reversing entrainment speed: stopped before, at and after the reversal and
+# resumed, the same result to the last digit with every scheme; its domain;
+# incompatible options.
 . "$TOP/tests/support/cli.sh"
 
 cat >cam.ini <<'END'

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Flow laws by the words of a case, and what is refused of them.
+# Rheological models set in a case, and rejected input.
 . "$(dirname "$0")/../support/cli.sh"
 
 law='--M 20 --L 10 --level 5 --set contact.G=4000'

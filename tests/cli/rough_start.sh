@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A steady start with rough surfaces on both sides of the whole film: they grow
-# out of smooth ones.
+# A steady start with rough surfaces under the whole film: the features grow
+# from smooth surfaces.
 . "$TOP/tests/support/cli.sh"
 
 {

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# run: the promised keys, the result file, what is refused before solving,
-# stopping by signal.
+# run: documented keys, the result file, input rejected before the solution,
+# stop by signal.
 . "$TOP/tests/support/cli.sh"
 
 dent_case 5 0.5 0.1 1 -4.9 >dent.ini

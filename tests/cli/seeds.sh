@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Two rough surfaces without seeds have different heights; the default seeds are
-# those written out; the first of surface 1 has seed 1 as before.  The same
-# explicit seed on both surfaces is warned of.
+# Two rough surfaces without seeds have different heights; the default seeds
+# equal explicit ones; the first feature of surface 1 has seed 1 as before. The
+# same explicit seed on both surfaces causes a warning.
 . "$TOP/tests/support/cli.sh"
 
 cat >both.ini <<'END'

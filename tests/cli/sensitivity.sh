@@ -1,8 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # --sensitivity: elasticities of an independent Richardson limit (levels 8 to
-# 12, steps of 1e-3), products of powers by Buckingham's theorem, slopes of keys
-# through zero, numbers left out where the mesh speaks.
+# 12, steps of 1e-3), products of powers by Buckingham's theorem, slopes of
+# keys through zero, and numbers suppressed because of the discretization
+# error.
 . "$TOP/tests/support/cli.sh"
 
 # row KEY QUANTITY NAME: a number of the JSON in `out`.

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# steady: table, JSON with the promised keys, the exact discrete solution.
+# steady: table, JSON with the documented keys, the exact discrete solution.
 . "$TOP/tests/support/cli.sh"
 
 expect 0 "$OVERROLL" steady --M 20 --L 10 --level 7

@@ -1,8 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A result from a stranger: its title and its name run no command in gnuplot,
-# ffmpeg or a shell; names beside the output, which nobody chose, follow no
-# link.
+# A result of unknown origin: its title and name execute no command in gnuplot,
+# ffmpeg or a shell, and temporary names next to the output follow no links.
 . "$TOP/tests/support/faults.sh"
 need gnuplot
 

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Stresses of a run: they change nothing of it; the groups in its file; the same
-# bits after a stop; the same from stored pressure; what is refused.
+# Stresses of a run: the run is not changed; groups in the file; the same bits
+# after a stop; the same from stored pressure; rejected input.
 . "$TOP/tests/support/cli.sh"
 need_python h5py numpy
 

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Stresses beside a history of the sliding: the material goes as far as its
-# surface's speed takes it, forward and back.
+# Stresses with a history of the sliding: the material moves with the speed of
+# its surface, forward and backward.
 . "$TOP/tests/support/cli.sh"
 need_python h5py numpy
 

@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The film's shear stress as a load on the surfaces: its signs, the same from
-# either side, from the file and after a stop; where it is left out, and why.
+# Shear stress of the film as a load on the surfaces: signs, exchanged
+# surfaces, from the file and after a stop; cases without traction and the
+# reason.
 . "$TOP/tests/support/cli.sh"
 need_python h5py numpy
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# plot --kind stribeck: of a study over speed whose surfaces touch.
+# plot --kind stribeck for a study over speed with mixed lubrication.
 . "$TOP/tests/support/cli.sh"
 need gnuplot
 

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A strip from the case to its file: fields (time, y, x), lines and areas of it,
-# resume to the bit, the estimate of its size, refusals.
+# A strip from the case to its file: fields (time, y, x), lines and areas,
+# resume to the bit, estimated size, rejected input.
 . "$TOP/tests/support/cli.sh"
 
 cat >dent.ini <<'END'

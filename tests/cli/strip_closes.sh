@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Features that do not close on the width of a strip are refused, and the values
-# that the message offers are accepted.  For each shape.
+# Features that are not periodic in the width of a strip are rejected, and the
+# values in the message are accepted, for each shape.
 . "$TOP/tests/support/cli.sh"
 
 # try NUMBER KEY VALUE LINE...: the feature is refused for that value of the

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Pictures of a strip: maps with cuts, frames, a cut in time, refusals.
+# Pictures of a strip: maps with cuts, frames, a cut in time, rejected input.
 . "$TOP/tests/support/cli.sh"
 need gnuplot
 

@@ -1,8 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Studies without result files: rows of tables in place of files of each case.
-# The table is that of the study with files; a killed sweep, destroyed rows, a
-# lost index and a study that grows lose and repeat nothing.
+# Studies without result files: rows of tables instead of files of each case.
+# The table equals that of the study with files. After a killed sweep,
+# destroyed rows, a lost index or an enlarged study no case is lost or
+# repeated.
 . "$TOP/tests/support/cli.sh"
 . "$TOP/tests/support/sweep_failures.sh"
 need setsid

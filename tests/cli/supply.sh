@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# [cavitation] and [supply]: a starved run, what its file holds, resumed to the
-# same bits; what does not go together; the columns only where they belong.
+# [cavitation] and [supply]: a starved run, contents of its file, resumed to
+# the same bits; incompatible options; columns only if they apply.
 . "$TOP/tests/support/cli.sh"
 
 cat >dent.ini <<'END'

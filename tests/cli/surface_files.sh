@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Files of surfaces written by Python (surface_files.py), independently of the
-# readers: every format and dialect gives the heights that were written, and
-# lines of maps are those that NumPy selects.  Other formats are named.
+# Surface files written by Python (surface_files.py), independently of the
+# readers: every format and dialect gives the written heights, and lines of
+# maps are those selected by NumPy. Messages name other formats.
 . "$TOP/tests/support/cli.sh"
 
 need_python numpy zlib

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# sweep: lists, ranges, products and zips; finished cases skipped, failed ones
-# listed and retried on request; the same results with one worker, with two,
-# by GNU parallel and as a job array.
+# sweep: lists, ranges, products and zips; finished cases are skipped, failed
+# ones listed and repeated on request; the same results with one worker, two
+# workers, GNU parallel and a job array.
 . "$TOP/tests/support/cli.sh"
 . "$TOP/tests/support/sweep_failures.sh"
 

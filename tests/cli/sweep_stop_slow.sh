@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# sweep stopped by signals, and killed with its workers left behind: what was
-# begun is resumed, and the results are those of a sweep left alone.
+# sweep stopped by signals, and killed while its workers continue: started
+# cases are resumed, and the results equal those of an uninterrupted sweep.
 . "$TOP/tests/support/cli.sh"
 
 cat >study.ini <<'END'

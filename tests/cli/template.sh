@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Templates: the examples of overroll-pictures(7) draw, contours lie where the
-# field has their value, notes and legends stand above panels, and a mistake in
-# a template is told with its reason.
+# Templates: the examples of overroll-pictures(7) are drawn, contour lines have
+# the value of the field, notes and legends are above panels, and a faulty
+# template causes a message with the reason.
 . "$TOP/tests/support/cli.sh"
 need gnuplot
 

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Threads of a run's own only where processors are left for them: none in the
-# cases of a sweep, none where one processor is allowed.
+# A run uses additional threads only if processors are free: none in the cases
+# of a sweep, none if one processor is allowed.
 . "$TOP/tests/support/cli.sh"
 need taskset
 [ -r /proc/self/task ] || skip 'no /proc'

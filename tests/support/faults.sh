@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # shellcheck shell=sh
-# For tests in which the system fails the program (tests/cli/preload.c).
+# For tests with failing system calls (tests/cli/preload.c).
 . "$TOP/tests/support/cli.sh"
 
 # Makes faults.so, to be preloaded; false where that cannot be (sanitizers and

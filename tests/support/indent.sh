@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # shellcheck shell=sh
-# For tests of bodies that yield: an indent with shoulders in body 1 that rolls
-# through a contact of steel at 1.2 GPa.
+# For tests of plastic deformation: a dent with rims in body 1 that rolls
+# through a steel contact at 1.2 GPa.
 
 # indent LEVEL END START: the case up to its [output], whose keys follow.
 indent() {

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # shellcheck shell=sh
-# DRAWS draws of a ground surface, killed three times on the way and resumed,
-# are to the bit those of a single go and those of tasks one by one.
+# DRAWS samples of a ground surface, killed three times and resumed, have the
+# bits of an uninterrupted study and of single tasks.
 . "$TOP/tests/support/cli.sh"
 need setsid xargs
 

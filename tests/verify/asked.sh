@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# find, [random], --sensitivity and --estimate-error with each physics: what is
-# found has been run, the draws are those of single runs, elasticities are those
-# of two runs; killed in the middle and asked again both give the same bits.
+# find, [random], --sensitivity and --estimate-error with each physics: answers
+# have been run, samples equal single runs, elasticities equal those of two
+# runs; if killed and repeated, both give the same bits.
 . "$TOP/tests/support/cli.sh"
 need setsid
 

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# gcc and clang compute the same run to 1e-9, and what compares numbers holds
-# with clang's optimizer too.
+# gcc and clang compute the same run within 1e-9, and comparisons of numbers
+# also hold with the optimizer of clang.
 . "$TOP/tests/support/cli.sh"
 [ -z "$INSTRUMENTED" ] || skip "once is enough"
 need gcc clang

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every example of tools/examples runs and makes its picture.
+# Every example of tools/examples runs and draws its picture.
 . "$TOP/tests/support/cli.sh"
 need gnuplot
 for script in "$TOP"/tools/examples/*; do

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The discretization error that find tells of its answer, at levels 6 to 8,
-# covers the answer of level 9: there the film is thicker than asked for at one
-# end of the interval and thinner at the other.
+# The discretization error printed by find at levels 6 to 8 includes the answer
+# of level 9: there the film is thicker than requested at one end of the
+# interval and thinner at the other.
 . "$TOP/tests/support/cli.sh"
 
 cat >dent.ini <<'END'

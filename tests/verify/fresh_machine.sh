@@ -1,10 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What README.md promises a newcomer, on a fresh Debian 12 with git and nothing
-# else, made in a folder: tools/check, then again as a plain user once all is
-# there, tools/demo, the install, the program of overroll-library(3), the
-# tour, the cases of init, the web page.
-# Takes root, debootstrap, a network and 1 GB.
+# Statements of README.md on a fresh Debian 12 with only git, created in a
+# folder: tools/check, again as a plain user after the installation of
+# dependencies, tools/demo, the installation, the program of
+# overroll-library(3), the tour, the cases of init, the web page.
+# Needs root, debootstrap, a network and 1 GB.
 . "$TOP/tests/support/cli.sh"
 [ -z "$INSTRUMENTED" ] || skip "once is enough"
 [ "$(id -u)" -eq 0 ] || skip "needs root"

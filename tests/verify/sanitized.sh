@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# All tests, the slow ones too, under the address and undefined-behaviour
+# All tests, including slow ones, with the address and undefined-behaviour
 # sanitizers.
 . "$TOP/tests/support/cli.sh"
 [ -z "$INSTRUMENTED" ] || skip "sanitized already"

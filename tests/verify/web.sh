@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The program in a page (make web) in a headless Chromium: it loads from disk,
-# solves, runs, pauses and stops, and its numbers are those of the program here.
+# The web page of the program (make web) in a headless Chromium: it loads from
+# disk, solves, runs, pauses and stops, and its numbers are those of the
+# program.
 . "$TOP/tests/support/cli.sh"
 need clang wasm-ld node chromium chromedriver
 need_python h5py
