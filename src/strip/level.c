@@ -250,9 +250,10 @@ ovr_strip_cycling ovr_strip_steady(const ovr_fluid *fluid)
                              .newton_steps = 1,
                              .correction = 1};
     /* With sliding, the flow along X is large in the whole contact. Line solves
-     * treat it exactly, so nodes need not be relaxed individually. */
+     * treat it exactly, so nodes need not be relaxed individually. Larger tau
+     * let a wave of two lines grow by 1.1 a cycle (M = 20, level 5). */
     if (ovr_flow_is_shear_thinning(fluid)) {
-        how.smoothing.tau = 3;
+        how.smoothing.tau = 1;
         how.smoothing.along = 0.2;
     }
     return how;

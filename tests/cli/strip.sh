@@ -172,3 +172,27 @@ expect 0 "$OVERROLL" init bearing -o bearing.ini
 sed -i '/^\[cavitation\]/,/^$/d' bearing.ini
 refuses 'several passes cannot be combined with a strip' check bearing.ini \
     --set strip.width=2
+
+# Longitudinal waves in a shear-thinning film are solved at once.
+cat >thin.ini <<'END'
+[contact]
+M = 20.66
+L = 3.63
+[lubricant]
+rheology = eyring
+eyring_number = 0.4
+[domain]
+level = 5
+[strip]
+width = 1.133
+[feature wave]
+shape = wave
+amplitude = 0.003
+wavelength = 0.28325
+angle = 90 deg
+END
+for slide in 0 0.1 2; do
+    expect 0 "$OVERROLL" run thin.ini --set contact.slide_to_roll=$slide
+    [ ! -s err ] || fail "slide $slide: $(cat err)"
+    contains out 'converged in [12][0-9] cycles'
+done

@@ -491,13 +491,13 @@ TEST(few_lines)
 TEST(features_that_do_not_close)
 {
     refused(STRIP WAVE "0.7\nangle = 45 deg\n",
-            "the nearest that do are 0.471404521 and 0.707106781");
+            "the nearest values are 0.471404521 and 0.707106781");
     refused(STRIP "[feature g]\nshape = groove\ndepth = 0.01\nwidth = 0.3\n"
                   "start = 0\nangle = 45 deg\n",
             "set repeat = 2 or 1");
     refused(STRIP "[feature t]\nshape = texture\ndepth = 0.01\nwidth = 0.3\n"
                   "wavelength = 0.45\n",
-            "the nearest that do are 0.4 and 0.5");
+            "the nearest values are 0.4 and 0.5");
     refused(STRIP "[feature s]\nshape = step\nheight = 0.01\nstart = 0\n"
                   "width_across = 0.3\n",
             "has no width_across");
