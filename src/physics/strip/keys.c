@@ -38,7 +38,7 @@ static const ovr_parameter keys[] = {
     {"ends", CHOICE(ends), "periodic", AT(ends), true, ALWAYS,
      "periodic: the strip repeats across rolling"},
     {"threads", WHOLE(1, OVR_TEAM_MOST), "1", AT(threads), false, ALWAYS,
-     "threads that solve the film; the result is the same to the bit"},
+     "number of threads for the film; the result is the same to the bit"},
     {"shown", LENGTH(-1e3, 1e3), NULL, AT(shown), false, ALWAYS,
      "Y of the line along x that tables and pictures show; default: centre of "
      "the first feature"},
