@@ -104,7 +104,7 @@ OVR_API ovr_status ovr_case_set(ovr_case *c, const char *where,
                                 const char *value, const char *origin,
                                 ovr_error *err);
 
-/* The same from "section.key=value". */
+/* Sets a key from the text "section.key=value". */
 OVR_API ovr_status ovr_case_assign(ovr_case *c, const char *assignment,
                                    const char *origin, ovr_error *err);
 

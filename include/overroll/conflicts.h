@@ -17,20 +17,20 @@
 extern "C" {
 #endif
 
-/* One feature, where a case has it: "heat", "heat", "model". */
+/* A feature and its place in a case, such as "heat", "heat", "model". */
 typedef struct ovr_model_feature_info {
     const char *name, *section, *key;
-    bool whole; /* its section is there or not, whatever it holds */
+    bool whole; /* the presence of the section selects the feature */
 } ovr_model_feature_info;
 
-/* Two features that do not go together. */
+/* Two features that cannot be combined. */
 typedef struct ovr_conflict {
     int feature, other;  /* numbers of features */
-    const char *instead; /* what goes in place of `feature` */
+    const char *instead; /* alternative to `feature` */
     const char *why;
 } ovr_conflict;
 
-/* The k-th of them; NULL behind the last. */
+/* Returns conflict k; NULL after the last. */
 OVR_API const ovr_conflict *ovr_conflict_at(size_t k);
 OVR_API ovr_model_feature_info ovr_model_feature_at(int feature);
 

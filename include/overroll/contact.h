@@ -30,15 +30,19 @@ extern "C" {
 
 /* ------------------------------------------------- operating conditions */
 
-/* The contact as it is given; NAN is what is not.  Exactly one of
- * these must be complete:
+/*
+ * Input of a contact; values that are not given are NAN. Exactly one of these
+ * sets must be complete:
+ *
  *   Moes      M, L                             (L = 0: isoviscous)
  *   Hertzian  lambda, alphabar
  *   physical  load or hertz_pressure, radius, modulus, viscosity, alpha (not
- *             needed when isoviscous) and the speeds
- * With Moes or Hertzian numbers, alpha alone sets ph = alphabar/alpha; radius
- * and modulus then set b = 4 R ph/E', and viscosity the speed; modulus, or G,
- * alone sets b/R, by which friction becomes a coefficient. */
+ *             needed for isoviscous contacts) and the speeds
+ *
+ * With Moes or Hertzian numbers, alpha alone sets ph = alphabar/alpha. Radius
+ * and modulus then set b = 4 R ph/E', and the viscosity sets the speed. The
+ * modulus alone, or G, sets b/R, so that friction becomes a coefficient.
+ */
 typedef struct ovr_conditions {
     double M, L;
     double lambda, alphabar;
@@ -58,8 +62,8 @@ typedef struct ovr_conditions {
 /* Returns conditions with all members NAN. */
 OVR_API ovr_conditions ovr_conditions_default(void);
 
-/* The resolved contact.  Dimensionless numbers are always set; a physical scale
- * that cannot be derived from what was given is NAN. */
+/* Resolved contact. Dimensionless numbers are always set; a physical scale that
+ * cannot be derived from the given values is NAN. */
 typedef struct ovr_contact {
     double M, L, lambda, alphabar;
     double u1_ratio, u2_ratio; /* u1/um, u2/um */

@@ -25,30 +25,31 @@
 extern "C" {
 #endif
 
-#define OVR_ROELANDS_T 138.0 /* K: where Roelands' viscosity ends */
+#define OVR_ROELANDS_T                                                         \
+    138.0 /* K: temperature at which Roelands' viscosity is singular */
 
-/* Constants of a material, SI. */
+/* Thermal properties of a material, SI units. */
 typedef struct ovr_thermal {
     double conductivity, heat_capacity, density; /* W/m.K, J/kg.K, kg/m3 */
 } ovr_thermal;
 
-/* The numbers; all zero: no heat. */
+/* Dimensionless numbers, all zero for an isothermal film. */
 typedef struct ovr_heat {
-    int points;               /* as in the form */
+    int points;               /* number of points across the film */
     double T0;                /* K */
-    double bulk[2];           /* rises */
+    double bulk[2];           /* temperature rises */
     double theta, conduction; /* Theta, Kf */
     double solid[2];          /* N_k with um */
     double peclet[2];
-    double min_peclet; /* of a steady solution's march along x; 0.1 */
-    double expansion;  /* 1/K; 0 of an incompressible oil */
+    double min_peclet; /* minimum for the steady march along x; 0.1 */
+    double expansion;  /* 1/K; 0: incompressible oil */
     bool density_expands;
-    double S0, C, beta;  /* C = 0: not Roelands */
-    double A;            /* 5.9e8 Pa/ph: oil expands by `expansion` times f =
-                            A^2/((A + P)(A + 1.34 P)); 0: the same at all P */
+    double S0, C, beta; /* C = 0: not Roelands */
+    double A; /* 5.9e8 Pa/ph; thermal expansion of the oil is `expansion` times
+                 f = A^2/((A + P)(A + 1.34 P)); 0: f = 1 */
     double diffusion[2]; /* k_k/(rho_k c_k um b): along surface k; 0: none */
-    double slowest[2];   /* least |u_k|/um, of the contact or, of a case, of its
-                            run: the slower, the longer it remembers heat */
+    double slowest[2]; /* minimum |u_k|/um during the run of a case; determines
+                          the heat history */
 } ovr_heat;
 
 #ifdef __cplusplus

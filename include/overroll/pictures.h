@@ -64,7 +64,8 @@ typedef struct ovr_picture_options {
     int surface;       /* stress, risk, depth: 1 (0) or 2 */
     bool log_depth;    /* stress: depth logarithmic, from D */
     double along;      /* areal: X of the cut across; NAN: 0 */
-    int width, height; /* pixels; 0: 1280 by what the kind needs */
+    int width,
+        height; /* pixels; 0: 1280 and the height of the kind of picture */
     const char *title; /* NULL: title of the file; "": none */
     const char *const
         *names; /* names of the results in the legend; NULL: their titles */
@@ -165,13 +166,13 @@ typedef struct ovr_frames_made {
 } ovr_frames_made;
 
 /*
- * A picture for each snapshot, FOLDER/frame_0000.png and so on, the number
- * being the snapshot's; the axes are the same in all of them.  Several
- * results are laid over each other, at the times of the first.
+ * Draws a picture of each snapshot: FOLDER/frame_0000.png and so on, with the
+ * number of the snapshot. All pictures have the same axes. Several results are
+ * drawn in the same picture, at the times of the first result.
  *
  * A second call with the same options draws the missing frames:
- * FOLDER/frames.txt stores the options of the frames.  Frames made with
- * something else are an error, or with look->force replaced.
+ * FOLDER/frames.txt stores the options of the frames. Frames made with other
+ * options are an error; with look->force they are replaced.
  */
 OVR_API ovr_status ovr_frames(ovr_result *const *results, size_t count,
                               const ovr_frames_options *options,

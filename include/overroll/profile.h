@@ -148,12 +148,13 @@ OVR_API ovr_status ovr_profile_condition(ovr_profile *profile,
 /* ------------------------------------------------------------ statistics */
 
 /*
- * ISO 21920-2 (and ISO 4287, which defines the same numbers): P-parameters of
- * a profile as it is levelled, over its whole length; R-parameters of one
- * that went through the high-pass filter lambda_c, over the middle five
- * section lengths of lambda_c each (fewer where five do not fit).  Heights
- * are about their mean, each point weighted by the length it stands for, in
- * the profile's z unit, lengths in its x unit.  A profile with gaps has none.
+ * Parameters of ISO 21920-2, equal to those of ISO 4287. P-parameters: of the
+ * levelled profile, over its whole length. R-parameters: of the profile after
+ * the high-pass filter lambda_c, over the middle five section lengths of
+ * lambda_c each (fewer in a shorter profile). Heights are relative to their
+ * mean, in the profile's z unit; each point is weighted by the length between
+ * the midpoints to its neighbours, in the x unit. A profile with gaps has no
+ * parameters.
  */
 typedef struct ovr_profile_numbers {
     size_t n;

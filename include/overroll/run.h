@@ -261,8 +261,8 @@ typedef struct ovr_study ovr_study;
 struct ovr_find; /* overroll/questions.h */
 
 /* Reads a study and sets every key and value in the base case, so that errors
- * are reported here. Of [random] only the first sample is tried; ovr_sweep
- * tries the others. */
+ * are reported here. Only the first sample of [random] is checked; ovr_sweep
+ * checks the others. */
 OVR_API ovr_study *ovr_study_read(const char *path,
                                   const ovr_allocator *allocator,
                                   ovr_error *err);

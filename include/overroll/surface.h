@@ -31,19 +31,19 @@ extern "C" {
 #endif
 
 /*
- * The shapes, with s = X - Xd(T) the distance from the feature's centre,
- * xi = s/width, g(v) = 10^(-10 v^2) and sigma the quintic smoothstep
- * 6v^5 - 15v^4 + 10v^3 held at 0 and 1 outside 0 < v < 1:
+ * Shapes. s = X - Xd(T) is the distance from the feature's centre, xi = s/width
+ * and g(v) = 10^(-10 v^2). sigma is the quintic smoothstep 6v^5 - 15v^4 + 10v^3
+ * for 0 < v < 1, with the constant values 0 and 1 outside:
  *
  *   dent     -depth  g(xi) cos(2 pi xi)        (with small rims)
  *   bump     +height g(xi) cos(2 pi xi)
  *   indent   -depth g(xi) + shoulder [g((s - a)/c) + g((s + a)/c)],
  *            a = shoulder_at (width/2), c = shoulder_width (width/2)
  *            or, by rim_diameter and rim_height, the bowl of a ball (or of a
- *            hard particle) with a rim raised round it: src/surface/shape.c
+ *            hard particle) with a raised rim: src/surface/shape.c
  *   ridge    +height g(xi)                     (or -depth g(xi))
- *   step     +height sigma(1/2 - s/flank): what lies behind the edge (s < 0)
- *            is higher; with a length it comes down again at s = -length
+ *   step     +height sigma(1/2 - s/flank): the surface is higher at s < 0;
+ *            with a length it is low again at s < -length
  *   groove   -depth sigma((width/2 - |s|)/flank + 1/2): flat bottom, flanks
  *            centred at s = +-width/2
  *   wave     amplitude cos(2 pi (X - origin - u T)/wavelength), endless
@@ -55,15 +55,15 @@ extern "C" {
  *            every wavelength (>= width), endless
  *   profile  measured, from a file
  *   roughness random, from a seed and a spectrum
- *   areal    measured map of heights, from a file; on a strip alone
+ *   areal    measured map of heights, from a file; only on a strip
  *
- * Instead of its width a shape may be given width_half (or diameter, the same),
- * the full width at half its depth or height (0.2478 width of a dent or bump,
- * 0.3470 of an indent without rims or a ridge, 1/2 of a texture's dimple,
- * the width itself of a groove), or half of that, half_width.
+ * Instead of the width, width_half can be given (diameter is a synonym): the
+ * full width at half the depth or height. It is 0.2478 width of a dent or bump,
+ * 0.3470 width of a ridge or an indent without rims, 1/2 width of a texture's
+ * dimple, and the width of a groove. half_width is half of width_half.
  *
- * A step's or groove's flank may be given by the radius r of its edges
- * instead: flank = sqrt(10/sqrt(3) height r) in metres, since the largest
+ * Instead of the flank of a step or groove, the radius r of its edges can be
+ * given. Then flank = sqrt(10/sqrt(3) height r) in metres, because the largest
  * curvature of sigma is 10/sqrt(3).
  */
 typedef enum ovr_shape {

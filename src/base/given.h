@@ -11,7 +11,7 @@
  * ovr_fail_null(err, __func__)`. */
 ovr_status ovr_fail_null(ovr_error *err, const char *function);
 
-/* The same for a constructor, which returns NULL. */
+/* Reports OVR_BAD_INPUT for a constructor, which returns NULL. */
 void *ovr_null(ovr_error *err, const char *function);
 
 /* Copies a struct passed by the caller. Without one, fails with OVR_BAD_INPUT,

@@ -132,8 +132,7 @@ static loads loads_of_passes(const ovr_setup *s)
 typedef struct sampled_times {
     const ovr_setup *setup;
     loads loads;
-    double width, behind; /* `behind`: outlet position needed by load jumps,
-                           * b */
+    double width, outlet; /* `outlet`: position required by load jumps, b */
     int last;             /* last sample */
     bool convected; /* a varying curvature is convected with the material */
     bool strict;    /* film thickness varies in time, so that the inlet loss
@@ -209,7 +208,7 @@ static sampled_times moments_of(const ovr_setup *s)
     }
     for (int k = 0; k <= m.last; k++)
         m.width = fmax(m.width, instant_of(&m, k, m.loads.maximum).s);
-    m.behind = m.width * outlet_of_jump(jump_of(s));
+    m.outlet = m.width * outlet_of_jump(jump_of(s));
     return m;
 }
 
@@ -338,13 +337,13 @@ static extent domain_of(const sampled_times *m, extent e,
 static extent usual_domain(const sampled_times *m)
 {
     extent nearest = shortest_usual(m);
-    nearest.outlet = fmax(nearest.outlet, m->behind);
+    nearest.outlet = fmax(nearest.outlet, m->outlet);
     return domain_of(m, nearest, usual_request);
 }
 
 static extent automatic_domain(const sampled_times *m)
 {
-    extent nearest = {0, fmax(OVR_USUAL_OUTLET, m->behind)};
+    extent nearest = {0, fmax(OVR_USUAL_OUTLET, m->outlet)};
     return domain_of(m, nearest, automatic_request);
 }
 

@@ -297,7 +297,8 @@ static const char traction_hot[] =
     "fields = pressure, film_thickness, temperature_1, temperature_2, "
     "temperature_middle\n";
 
-/* The same with a hard coating of low thermal conductivity. */
+/* A disc machine with thermal effects and a hard coating of low thermal
+ * conductivity. */
 static const char coated[] =
     "# Two sliding steel discs, one with a DLC coating: friction, film\n"
     "# thickness, temperatures, and stresses in the coating and below.\n"

@@ -10,8 +10,8 @@
 void cli_report(const cli_call *call, const ovr_run_info *run);
 void cli_report_json(const ovr_run_info *s, FILE *to);
 
-/* Prints the lines of a report: those with a key to a json_writer or, if that
- * is NULL, those with text as a table. */
+/* Prints the lines of a report. With a json_writer it prints lines with a key,
+ * without one (NULL) lines with text, as a table. */
 ovr_summary_taker cli_put_line;
 
 /* Writes equivalent lengths as functions of the smallest depth considered, for

@@ -154,7 +154,8 @@ void ovr_outline_teeth(ovr_outline *to, const ovr_gear_form *form,
     ovr_gear_place(form, g, R1, &x, &y);
     double r = hypot(x, y - w.y);
     double at = atan2(w.mirror * x, w.side * (y - w.y));
-    /* The active flank of gear 1 faces +x, that of gear 2 faces it. */
+    /* The active flank of gear 1 faces +x, the active flank of gear 2 faces
+     * -x. */
     double push = gear == 1 ? 1 : -1;
     double centre = at - push * half_tooth(&w, r),
            pitch = 2 * pi / abs(w.teeth);

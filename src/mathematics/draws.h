@@ -32,8 +32,8 @@ typedef struct ovr_sampling {
     size_t draws;
     const char *const *key; /* one per dimension */
     size_t keys;
-    size_t shifts; /* of sobol: draw i is point i/shifts of replicate i%shifts,
-                    * so that a larger sample contains the smaller one */
+    size_t shifts; /* Sobol: draw i is point i/shifts of replicate i%shifts, so
+                      that a larger sample contains the smaller one. */
 } ovr_sampling;
 
 /* FNV-1a, 64 bits (Fowler, Noll & Vo). */

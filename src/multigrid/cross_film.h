@@ -121,18 +121,17 @@ void ovr_cross_film_solve(const ovr_cross_film *a, const ovr_heat *heat,
                           const ovr_wall wall[2], double *T);
 
 /*
- * The same for n nodes in their order, as input of kernels: the film, its flow,
- * and a time step of its temperatures. A node is pressurized if P > 0 and it is
- * not an end node. P_X is computed by central differences. The heat source
- * decreases with the temperature during a step, so that the step cannot
- * overshoot:
+ * Film, flow and a time step of the temperatures at n nodes in their order, as
+ * input of kernels. A node is pressurized if P > 0 and it is not an end node.
+ * P_X is computed by central differences. The heat source decreases with the
+ * temperature during a step, so that the step cannot overshoot:
  *
  *     tau u_z <- tau u_z (1 - gamma (T - T_used))
- *     gamma = -(d ln eta/dT) tanh(a)/a,  a = |t|/Sigma0,
+ *     gamma = -(d ln eta/dT) tanh(a)/a,  a = |t|/Sigma0.
  *
- * for Eyring's law, with f/(a f') in place of tanh(a)/a for any other. Where
- * the stress is at its limit, the power does not depend on the viscosity: gamma
- * = 0.
+ * This is gamma of Eyring's law; other laws have f/(a f') in place of
+ * tanh(a)/a. Where the stress is at its limit, the power does not depend on the
+ * viscosity: gamma = 0.
  */
 typedef struct ovr_columns {
     const ovr_cross_film *cross_film;

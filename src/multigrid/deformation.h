@@ -129,7 +129,7 @@ ovr_mlmi_form ovr_mlmi_choose(double target);
  * 1. */
 double ovr_deformation_kernel(double d, double D);
 
-/* The same for a pressure that is linear between the nodes. */
+/* Deformation by a pressure that is linear between the nodes. */
 double ovr_deformation_linear(double d, double D);
 
 #endif

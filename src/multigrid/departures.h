@@ -32,8 +32,8 @@ double ovr_departures_at(const ovr_departures *departures, const double *v,
 /* Interpolates v at the departure points of all nodes. */
 void ovr_carry_along(const ovr_departures *f, const double *v, double *to);
 
-/* Interpolates v at i - meshes u_i for all nodes i of a layer of the film. The
- * value beyond both ends is 0. */
+/* Interpolates v at the departure points of a layer of the film: u_i times a
+ * number of mesh sizes upstream of each node i. Beyond both ends v is 0. */
 void ovr_film_departures(size_t n, double meshes, const double *u,
                          const double *v, double *at_departures);
 

@@ -77,7 +77,7 @@ static INLINE void begin(const film *c, ovr_viscosity_law law, ptrdiff_t start,
     }
 }
 
-/* The same for any law. */
+/* First pass for any density law. */
 static INLINE void begin_any(const film *c, ovr_viscosity_law law,
                              ptrdiff_t start, ptrdiff_t end, block *work)
 {

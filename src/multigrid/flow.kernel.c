@@ -72,7 +72,7 @@ static INLINE vec eps_by_film(const ovr_fields *f, face_kind kind, ptrdiff_t J,
                         at(f->eps, K));
 }
 
-/* The same for psi_c rho H^2. */
+/* Derivative of psi_c rho H^2 with respect to H of node J. */
 static INLINE vec drag_by_film(const ovr_fields *f, face_kind kind, ptrdiff_t J,
                                ptrdiff_t K, vec p)
 {

@@ -89,7 +89,7 @@ static void fluxes(const ovr_lanes *g, const ovr_fourth *c, const ovr_fields *f)
     table16 table;
     make_exp_table(1, &table);
     for (ptrdiff_t J = 1 - REACH; J < (ptrdiff_t)g->S + REACH - 2; J++) {
-        ivec i = nodes(g, J), upstream = (i >= c->first) & (i < c->behind);
+        ivec i = nodes(g, J), upstream = (i >= c->first) & (i < c->end);
         vec eps = middle(&table, c->log_eps, f, upstream, J);
         put(c->flux, J, eps * (scale * steepness(f, J)));
     }
@@ -168,7 +168,7 @@ static void reduced_fluxes(const ovr_lanes *g, const ovr_fourth *c,
     for (int k = 0; k < 3; k++)
         load_around(f, k - REACH, &n, k);
     for (ptrdiff_t J = 1 - REACH; J < (ptrdiff_t)g->S + REACH - 2; J++) {
-        ivec i = nodes(g, J), upstream = (i >= c->first) & (i < c->behind);
+        ivec i = nodes(g, J), upstream = (i >= c->first) & (i < c->end);
         load_around(f, J + 2, &n, 3);
         vec eps = middle(&table, c->log_eps, f, upstream, J);
         put(c->flux, J,

@@ -102,7 +102,7 @@ static double flux(const ovr_fourth *c, const ovr_fields *f, ptrdiff_t i)
 {
     const double *P = f->P + i;
     double slope = (27 * (P[1] - P[0]) - (P[2] - P[-1])) / (24 * c->D);
-    bool upstream = i >= c->first && i < c->behind;
+    bool upstream = i >= c->first && i < c->end;
     if (ovr_flow_is_shear_thinning(c->fluid))
         return thinned(c, f, slope * c->D, i) * slope;
     if (c->reduced && !upstream)

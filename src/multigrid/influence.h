@@ -43,7 +43,8 @@ bool ovr_influence_add(ovr_influence *influence, ovr_influence_part part);
 double ovr_influence_at(const ovr_influence *influence, double d, double D);
 double ovr_influence_rest(const ovr_influence *influence, double d, double D);
 
-/* The same at 0..5 mesh sizes, bounded for the line relaxation. */
+/* Deformation at distances of 0 to 5 mesh sizes, bounded for the line
+ * relaxation. */
 void ovr_influence_band(const ovr_influence *influence, double D, double k[6]);
 
 /* True if the fourth-order correction is known for all parts; C of

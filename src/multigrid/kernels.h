@@ -85,8 +85,7 @@ typedef struct ovr_fourth {
     const ovr_fluid *fluid; /* lubricant; its rheological model is used if the
                                fields have tangents */
     double D, Cu;
-    ptrdiff_t first,
-        behind; /* half nodes on the inlet side: first <= i < behind */
+    ptrdiff_t first, end; /* half nodes on the inlet side: first <= i < end */
     double *log_eps, *flux, *rise; /* work arrays */
     double *mask;    /* 1 where the equation is corrected, else 0 */
     double *F, *gap; /* corrections of the right-hand sides */

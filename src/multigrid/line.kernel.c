@@ -77,7 +77,7 @@ static inline void fold(const line *l, const row_weights *c, stretch where,
     b[1] += cut;
 }
 
-/* The same for shares -1, 0: additions are sufficient. */
+/* Computes b for shares -1, 0; additions are sufficient. */
 static inline void dipoles(const unsigned char *wet, ptrdiff_t J,
                            const vec A[7], vec b[5])
 {

@@ -19,7 +19,7 @@ enum {
     HEATED = 4 /* arrays of a film with temperatures */
 };
 
-/* Centres of the windows, largest pressure error first. */
+/* Centres of the windows, in descending order of the pressure error. */
 typedef struct windows {
     ptrdiff_t at[WINDOWS];
     double size[WINDOWS];

@@ -214,8 +214,8 @@ static double allowed(const ovr_asperity *touch, size_t i, double was, double H)
     return fmin(fmax(H, bottom), thick * was);
 }
 
-/* Computes the lift of each node: excess of the film thickness over that of the
- * pressures. */
+/* Computes the lift of each node: the film thickness minus the film thickness
+ * due to the pressures. */
 static void lift(ovr_hierarchy *grids, const ovr_level *level,
                  const double *was)
 {

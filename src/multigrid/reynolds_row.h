@@ -194,7 +194,7 @@ static inline num row_elastic(const num e[3], const double *k, int d)
                  fused(e[1], all(k[abs(d + 1)]), e[0] * k[abs(d + 2)]));
 }
 
-/* The same where 2 E is stored. */
+/* Derivatives with respect to the pressure where 2 E is stored. */
 static INLINE void row_by_stored(const ovr_fields *f, const row_weights *c,
                                  ptrdiff_t J, num A[4])
 {

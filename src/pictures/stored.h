@@ -22,7 +22,7 @@ typedef struct ovr_stored {
     bool film, pressure, roughness, filling, touches;
     const char *unresolved; /* remedy; NULL: the maximum pressure is resolved */
     size_t flagged; /* number of flagged steps, which did not converge */
-    bool *resolved; /* by snapshot; NULL if `unresolved` is NULL */
+    bool *resolved; /* one per snapshot; NULL if `unresolved` is NULL */
     bool hot[3];    /* temperatures of surface 1, surface 2, mid-film */
     struct {
         double x, film, pressure, time;

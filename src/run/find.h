@@ -18,9 +18,9 @@ struct ovr_find {
     ovr_find_info info;
     double from, to;
     const char *suffix; /* " kN/m", or "" */
-    char variant[40];   /* what differs from the case, for the names of result
-                         * files */
-    bool checked;       /* the quantity is known to be a number of the runs */
+    char variant[40]; /* difference from the case, for the names of result files
+                       */
+    bool checked;     /* the quantity is known to be a number of the runs */
     ovr_find_evaluation *made;
     ovr_trial answer;
     bool answered;

@@ -289,8 +289,9 @@ ovr_case *ovr_study_case(const ovr_study *s, size_t task, ovr_error *err)
     return c;
 }
 
-/* Checks every value of a list. Of a range, the first thousand and the last
- * value are checked: an invalid step (of integers) is among the first. */
+/* Checks every value of a list. A range is checked at its first thousand values
+ * and at its last value: an invalid step (of integers) appears among the
+ * first. */
 ovr_status ovr_study_try_values(const ovr_study *s, ovr_error *err)
 {
     enum { FIRST = 1000 };

@@ -21,7 +21,7 @@
 
 /* ----------------------------------------------------- parts of the summary */
 
-/* Keys with "foreseen" are those of version 0.3 and are kept for one
+/* Keys with "foreseen" are those of version 0.3; they are written for one more
  * version. */
 void ovr_put_rough_film(const ovr_report_sink *to, const ovr_rough_film *film,
                         const ovr_contact *contact)

@@ -32,7 +32,8 @@ ovr_sweep_state ovr_task_state(const ovr_study *s, const ovr_rows *rows,
 /* Records that a worker process was killed by a signal. */
 void ovr_task_died(const ovr_study *s, size_t task, int number);
 
-/* True if a file of somebody else has the name of the task's case. */
+/* True if the file with the name of the task's case was not written by this
+ * study. */
 bool ovr_task_foreign(const ovr_study *s, size_t task);
 
 #endif

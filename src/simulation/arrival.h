@@ -8,16 +8,16 @@
 
 /* Lubricant content convected along the characteristic (content_history.c). */
 typedef struct ovr_carriage {
-    double *came;   /* at the nodes: the content one step ago, at the departure
-                     * points, */
-    double *coming; /* and the same for the next step; two steps ago */
+    double *came;   /* `coming` of the last step */
+    double *coming; /* content at the last time, at the departure points of this
+                       step */
     double *coming_twice;
     double *extended; /* q with ghost nodes upstream of the inlet */
-    /* cells that crossed the first and the last face, one step ago and in this
-     * step; whether the inlet was closed then */
+    /* Content, in cells, that crossed the first and the last face one step ago
+     * and in this step; whether the inlet was and is closed. */
     double crossed[2], crossing[2];
     bool closed, closes;
-    double flow[2]; /* flow rate there, per time */
+    double flow[2]; /* flow rates through these faces */
     double arrives; /* content that the supplied film would add */
 } ovr_carriage;
 
@@ -47,7 +47,7 @@ bool ovr_conserves(const ovr_simulation *sim);
 /* History term with mass-conserving cavitation (content_history.c). */
 void ovr_content_history(ovr_simulation *sim, double dT, const double c[2]);
 
-/* The same along the characteristic (content_history.c): allocation, update
+/* History term along the characteristic (content_history.c): allocation, update
  * after a step, checkpoint. */
 ovr_status ovr_carriage_take(ovr_simulation *sim, ovr_error *err);
 void ovr_carriage_taken(ovr_simulation *sim);

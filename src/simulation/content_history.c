@@ -211,8 +211,7 @@ static void carry(const ovr_simulation *sim, const move *m, const double *q,
 
 /* ------------------------------------------------------------------- supply */
 
-/* Contents that the supply would bring into the first row while the inlet is
- * open. */
+/* Content that the supply would add to the first row if the inlet were open. */
 static double arriving(const ovr_simulation *sim, const move *m)
 {
     double q[OVR_GHOSTS];

@@ -64,9 +64,9 @@ typedef struct fourth {
     double *next; /* correction of the gap for the next step; `gap` is that of
                    * the last step, with which its film was solved */
     bool ahead;   /* the next step is being solved */
-    /* constant operating conditions: q_s; the part of R that does not depend on
-     * the step; m, negative where R is omitted; R of a step of length rest_dT
-     */
+    /* For constant operating conditions: q_s; the part of R that is independent
+     * of the step; m, negative where R is omitted; R of a step of length
+     * rest_dT. */
     int rests;
     double *start, *constant, *mask, *rest, rest_dT;
     ovr_fourth_content content; /* with mass-conserving cavitation */

@@ -59,18 +59,18 @@ int ovr_prominent_maxima(size_t n, const double *P, size_t *last)
     return count;
 }
 
-/* Range of nodes: from `first` to the one before `behind`. */
+/* Range of nodes: first <= i < end */
 typedef struct inside {
-    size_t first, behind;
+    size_t first, end;
 } inside;
 
 static inside nodes_inside(const ovr_solution *now, double window)
 {
     inside in = {0, now->n};
-    while (in.first < in.behind && !(fabs(now->X[in.first]) < window))
+    while (in.first < in.end && !(fabs(now->X[in.first]) < window))
         in.first++;
-    while (in.behind > in.first && !(fabs(now->X[in.behind - 1]) < window))
-        in.behind--;
+    while (in.end > in.first && !(fabs(now->X[in.end - 1]) < window))
+        in.end--;
     return in;
 }
 
@@ -82,7 +82,7 @@ static double mean_film(const ovr_simulation *sim, inside in, double *roughness)
     enum { WIDTH, FILM, DENSITY, CONTENT, SQUARES, SUMS };
     const ovr_solution *now = &sim->now;
     double sum[SUMS];
-    sim->grids.kernels->film_sums(in.behind - in.first, now->weights + in.first,
+    sim->grids.kernels->film_sums(in.end - in.first, now->weights + in.first,
                                   now->q + in.first, now->H + in.first, sum);
     double squares = sum[SQUARES] * sum[WIDTH] - sum[CONTENT] * sum[CONTENT];
     *roughness = sqrt(fmax(squares, 0)) / sum[DENSITY];

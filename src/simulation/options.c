@@ -266,9 +266,10 @@ static ovr_status check_refine(const ovr_options *o, ovr_error *err)
     return OVR_OK;
 }
 
-/* Default domain. Inlet: that of the paper if the error caused by it is at most
- * half a per cent. Outlet: the film must end before it; the automatic outlet is
- * twice the distance at which a rigid film ends, 0.475 sqrt(2 H) (Martin). */
+/* Default domain. Inlet: the inlet of the paper if it causes an error of at
+ * most half a per cent, otherwise a longer one. Outlet: the film must end
+ * before it; the automatic outlet is twice the distance at which a rigid film
+ * ends, 0.475 sqrt(2 H) (Martin). */
 void ovr_options_domain(const ovr_contact *contact, ovr_options *o)
 {
     const double M = contact->M, L = contact->L;

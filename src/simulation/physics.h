@@ -42,7 +42,7 @@ typedef struct ovr_warmth {
     const void *data;
 } ovr_warmth;
 
-struct ovr_change; /* of a section that is a history */
+struct ovr_change; /* change of a key that is a history */
 
 /* Arguments for resolving a model in a case: the contact and the known data of
  * the run. */
@@ -442,8 +442,8 @@ ovr_status ovr_physics_add(ovr_simulation *sim, const ovr_physics *physics,
 ovr_status ovr_physics_take_asperity_pressure(ovr_simulation *sim,
                                               ovr_error *err);
 
-/* Sets this pressure to zero; stores that of the finest level as the one of the
- * last time; restores the stored one. */
+/* Sets the pressure on the solids to zero; stores the pressure of the finest
+ * level as that of the previous time; restores the stored pressure. */
 void ovr_physics_clear_asperity_pressure(ovr_simulation *sim);
 void ovr_physics_keep_asperity_pressure(ovr_simulation *sim);
 void ovr_physics_restore_asperity_pressure(ovr_simulation *sim);

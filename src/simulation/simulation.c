@@ -102,12 +102,13 @@ static int ordered_level(const ovr_options *o, const ovr_hierarchy *grids)
     return o->coarsest_level + (newton < above ? newton : above);
 }
 
-/* True where the mean between nodes is logarithmic.  On a mesh wider than 0.5
- * H^(2/3), the length of the inlet's rise (failure.c), the pressure rises
- * within a mesh size or two and ln m changes by tens: cycles with the
- * logarithmic mean then do not settle (M = 900, L = 5 on level 6: no solution,
- * by the gap 173 cycles; M = 300, L = 5: 898 and 50), and neither mean has a
- * film to better than tens of per cent. */
+/* True if the mean between nodes is logarithmic. If the mesh size exceeds 0.5
+ * H^(2/3), the length of the inlet's pressure rise (failure.c), the pressure
+ * rises within one or two mesh sizes and ln m changes by tens. Cycles with the
+ * logarithmic mean then do not converge (M = 900, L = 5 on level 6: no
+ * solution, with the mean by the gap 173 cycles; M = 300, L = 5: 898 and 50
+ * cycles). The film thickness has an error of tens of per cent with either
+ * mean. */
 static bool is_logarithmic(const ovr_options *o, const ovr_target *target)
 {
     const double widest = 0.5;
@@ -151,7 +152,7 @@ static ovr_status build(ovr_simulation *sim, ovr_error *err)
     return status;
 }
 
-/* Sets up a simulation with all its memory, of which as good as nothing is
+/* Sets up a simulation and allocates all its memory; hardly any of it is
  * written. */
 static ovr_simulation *set_up(ovr_arena arena, const ovr_contact *contact,
                               const ovr_lubricant *lubricant,
@@ -206,7 +207,7 @@ ovr_simulation *ovr_simulation_create(const ovr_contact *contact,
 
 ovr_simulation *ovr_simulation_counted(const ovr_options *options)
 {
-    const ovr_contact contact = {.M = 20, /* of what is automatic */
+    const ovr_contact contact = {.M = 20, /* used for automatic options */
                                  .L = 10};
     const ovr_lubricant lubricant = {0};
     ovr_options o = ovr_options_default();

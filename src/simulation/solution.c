@@ -44,8 +44,8 @@ double ovr_value_at(const ovr_solution *s, const double *f, double X)
 
 /* -------------------------------------------------------------------- Nodes */
 
-/* The nodes of the solution: memory, what is read from the finest level,
- * integrals, the state that is shown. */
+/* Arrays of the solution: memory, values read from the finest level, integrals,
+ * output state. */
 
 ovr_status ovr_simulation_take(ovr_simulation *sim, double **const to[],
                                ovr_error *err)
@@ -113,8 +113,8 @@ void ovr_publish_state(ovr_simulation *sim)
 
 /* ---------------------------------------------------------------------- Gap */
 
-/* The mesh, and what is on it before anything is solved: the smooth surfaces
- * at T, the heights on them, the gap. */
+/* Mesh size, and the geometry before a solution: smooth surfaces at T, heights
+ * of the features, gap. */
 
 double ovr_mesh(const ovr_simulation *sim)
 {

@@ -24,7 +24,7 @@ typedef struct ovr_potential {
     double complex C, dC;
 } ovr_potential;
 
-/* The same at x = (first + k) D, k = 0 ... count - 1. */
+/* Potentials at x = (first + k) D, k = 0 ... count - 1. */
 void ovr_element_line(ovr_element element, double D, double z, long first,
                       size_t count, ovr_potential *out);
 

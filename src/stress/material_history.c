@@ -40,7 +40,7 @@ ovr_material_range ovr_material_range_default(void)
 /* ------------------------------------------------------------ one moment */
 
 /* Position of the nodes in the material: with nodes shifted by `shift`, node i
- * of level c is at material point `i - meshes 2^(5-c)`. */
+ * of level c is at the material point with number `i - meshes 2^(5-c)`. */
 typedef struct place {
     double shift;
     long meshes;

@@ -114,9 +114,9 @@ ovr_material_history_max_shear(const ovr_material_history *history);
 ovr_stress_extreme
 ovr_material_history_von_mises(const ovr_material_history *history);
 
-/* Maximum excess of the mean pressure of a strip (at least least_depth wide)
- * over that of its surroundings (yield.c); position is its middle, Z its width.
- * NAN without a yield stress. */
+/* Maximum of the mean pressure of a strip (at least least_depth wide) minus the
+ * mean pressure of its surroundings (yield.c). `position` is the middle of the
+ * strip, Z its width. NAN without a yield stress. */
 ovr_stress_extreme
 ovr_material_history_strip(const ovr_material_history *history);
 

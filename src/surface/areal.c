@@ -106,8 +106,8 @@ static double height_at(const ovr_areal *map, double x, double y)
     return sum;
 }
 
-/* Returns the mean over those lines of the band that have a height; NAN if
- * fewer than half have one. */
+/* Returns the mean height over the lines of the band, without missing heights;
+ * NAN if more than half are missing. */
 static double band_height(const ovr_areal *map, const line *l, size_t k)
 {
     double sum = 0, x = l->x + (double)k * l->sx, y = l->y + (double)k * l->sy;

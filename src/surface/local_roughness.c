@@ -60,22 +60,22 @@ double ovr_local_roughness_of_wave(double amplitude, double wavelength,
 /* --------------------------------- waves in the film of a rolling contact */
 
 /*
- * The share of a wave's amplitude that is left under a rolling line contact:
- * long waves are pressed flat, short ones pass as they are.  One curve of one
- * number,
+ * Remaining amplitude of a wave under a rolling line contact, relative to the
+ * amplitude on the surface. Long waves are flattened, short waves keep their
+ * amplitude. One curve of one number,
+ *
  *     Ad/Ai = (1 + (N/4.52)^2.38)^-0.514,
  *     N = (wavelength/b) M^0.78 L^-0.28,
- * fitted to 64 runs of this program with waves of 1/8 to 4 b and of small
- * amplitude: M = 20 to 400, L = 4 to 14, alpha = 22 1/GPa in most.  Error 0.013
- * in the mean square, 0.045 at most (M = 20, L = 5, the shortest waves).  It
- * was 0.06 in 16 runs at M = 2.5 to 800, L = 2 to 25.
+ *
+ * is fitted to 64 runs of this program with waves of 1/8 to 4 b and of small
+ * amplitude: M = 20 to 400, L = 4 to 14, in most runs alpha = 22 1/GPa. The
+ * root mean square error is 0.013, the maximum error 0.045 (M = 20, L = 5, the
+ * shortest waves). In 16 other runs at M = 2.5 to 800 and L = 2 to 25 it was
+ * 0.06.
  *
  * The dependence on one number, by the length of the inlet, is from C.H.
  * Venner, F. Couhier, A.A. Lubrecht and J.A. Greenwood, Amplitude reduction of
  * waviness in transient EHL line contacts, Tribology Series 32 (1997) 103-112.
- * Their M^(3/4) L^(-1/2) and 1/(1 + 0.125 N + 0.04 N^2) are within 0.035 of
- * this at M = 100 and L = 11 except for the shortest wave (0.08), and up to
- * 0.17 off the runs at M = 20, L = 5.
  */
 
 double ovr_wave_reduction(double M, double L, double wavelength)

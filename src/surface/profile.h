@@ -27,7 +27,7 @@ struct ovr_profile {
                           * keys */
     double b, height;    /* b and b^2/R in metres, for a profile in these units;
                           * 0: unknown */
-    ovr_areal map;       /* of an areal file while it is read */
+    ovr_areal map;       /* areal map, while its file is read */
     ovr_arena map_arena; /* memory of map.z */
     double offset;       /* x of the first point of a row of the map */
     bool map_only;       /* the caller needs the map only, without a line */

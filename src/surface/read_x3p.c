@@ -38,9 +38,9 @@ typedef struct x3p_file {
 /* ----------------------------------------------------------------- main.xml */
 
 /*
- * main.xml of X3P through expat: the texts of the elements below, found by
- * the end of their path, in or out of a namespace.  A document type (and so
- * any entity) is refused.
+ * Reads main.xml of X3P by expat: the texts of the elements below, identified
+ * by the end of their path, with or without a namespace. A document type, and
+ * therefore any entity, is rejected.
  */
 
 enum { DEPTH = 16, NAME = 32, TEXT = 256 };

@@ -100,8 +100,8 @@ static ovr_status add(const source *s, double mesh, double part,
     return status;
 }
 
-/* Samples the heights. If left_by > 0, subtracts those that a grid with that
- * mesh size represents. */
+/* Samples the heights. If left_by > 0, subtracts the heights that a grid with
+ * this mesh size represents. */
 static ovr_status sample(const source *s, double left_by, ovr_rough_pair *pair,
                          double *z, ovr_error *err)
 {

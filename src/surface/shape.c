@@ -18,26 +18,31 @@
 /* ---------------------------------------------------- indentation of a ball */
 
 /*
- * The indent of a ball, or of a hard particle that stays whole, by its depth d
- * and the diameter 2 s_c of its rim, from crest to crest.
+ * Indent left by a ball, or by a hard particle that stays whole, from its depth
+ * d and its rim diameter 2 s_c, crest to crest.
  *
- * The bowl is that of the ball, the rim a bell; where they meet they are
- * rounded over a height k = h by a cubic, so that slope and curvature are
- * continuous and the crest is at s_c, h high, exactly:
+ * The bowl is a parabola, the rim a bell. A cubic rounds their
+ * intersection over a height k = h. Slope and curvature are therefore
+ * continuous, and the crest is exactly at s_c and h high:
  *
  *     bowl = -d + (d + h)(s/a)^2,          a^2 = s_c^2 (d + h)/(d + h + k)
  *     rim  = h exp(-((|s| - s_c)/l)^2)
  *     S    = min(bowl, rim) - k g^3/6,     g = max(1 - |bowl - rim|/k, 0)
  *
- * Without a rim_height h = (c^2 - 1) d, c^2 = 5 (2 - n)/(2 (4 + n)) being the
- * square of contact radius over that without pile-up (Hill, Storakers & Zdunek,
- * Proc. R. Soc. Lond. A 423 (1989) 301), for a hardening exponent n = 0.1 as of
- * hardened steel: h = 0.159 d; quoted at second hand, the paper was not at
- * hand.  It assumes full plasticity and neglects springback; a measured rim
- * height can be set.
- *     a^2 (d - h)/4 = h ((s_c^2 - a^2)/2 + sqrt(pi)/2 l s_c + l^2/2),
- * by convention, but is s_c/4 at least, for rims higher than that allows; the
- * line contact uses the section through its middle.
+ * Without a rim_height h = (c^2 - 1) d. Here c^2 = 5 (2 - n)/(2 (4 + n)) is the
+ * square of the contact radius relative to the radius without pile-up (Hill,
+ * Storakers & Zdunek, Proc. R. Soc. Lond. A 423 (1989) 301). A hardening
+ * exponent n = 0.1, as of hardened steel, gives h = 0.159 d. This value is
+ * quoted at second hand. It assumes full plasticity and neglects springback; a
+ * measured rim height can be set.
+ *
+ * The width l follows from the volume: the rim of the round indent contains the
+ * displaced material,
+ *
+ *     a^2 (d - h)/4 = h ((s_c^2 - a^2)/2 + sqrt(pi)/2 l s_c + l^2/2).
+ *
+ * l is at least s_c/4, because higher rims have no solution. The line contact
+ * uses the section through the middle of the indent.
  */
 
 static const double PILED_UP = 0.158536585365853659; /* c^2 - 1 */

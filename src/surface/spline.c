@@ -21,8 +21,8 @@ static ovr_status check(const ovr_points *of, ovr_error *err)
     return OVR_OK;
 }
 
-/* GSL takes its own memory from malloc (about 5 n doubles): the hook is asked
- * for as much first, so that its limits count. */
+/* GSL allocates its memory by malloc, about 5 n doubles. The same amount is
+ * first requested from the allocator, so that its limits apply. */
 static ovr_status enough_memory(size_t n, const ovr_allocator *allocator,
                                 ovr_error *err)
 {

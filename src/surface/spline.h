@@ -27,10 +27,10 @@ typedef struct ovr_table {
     double h;     /* distance between entries */
     double *z;    /* heights */
     double *c;    /* z'' h^2/6 at the entries */
-    bool endless; /* endless behind its trailing end */
+    bool endless; /* endless beyond its trailing end */
     bool both;    /* also endless ahead of its leading end */
-    double fade;  /* endless behind only: distance over which its heights grow
-                   * from zero */
+    double fade;  /* endless beyond its trailing end only: distance over which
+                     the heights grow from zero */
     double lost;  /* fraction of the profile's variance that is not in the
                    * table */
 } ovr_table;

@@ -316,11 +316,13 @@ double ovr_profile_cutoff(double length)
 /* ------------------------------------------------------------------ waves */
 
 /*
- * The profile, its line taken off, goes to N = 2^m equal distances and under
- * the Hann window w; |F_k|^2 at k waves in N steps.  A cosine of amplitude A
- * gives a peak of height A sum(w)/2, three bins wide.  The place of a peak is
- * refined by the ratio of its higher neighbour (exact for Hann):
- * delta = (2 a - 1)/(a + 1), a = |F_{k+-1}|/|F_k|.
+ * Spectrum of the profile without its regression line, interpolated at N = 2^m
+ * equidistant points and multiplied by the Hann window w: |F_k|^2 for k waves
+ * in N steps. A cosine of amplitude A gives a peak of height A sum(w)/2, three
+ * bins wide. The position of a peak is refined by the ratio of its higher
+ * neighbour (exact for Hann):
+ *
+ *     delta = (2 a - 1)/(a + 1), a = |F_{k+-1}|/|F_k|.
  */
 typedef struct spectrum {
     size_t n;

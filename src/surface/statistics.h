@@ -6,15 +6,17 @@
 #include <stddef.h>
 
 /*
- * The material ratio curve of heights: the share of the length at or above a
- * height.  Its core, and what stands out of it (ISO 21920-2, before that ISO
+ * Material ratio curve: fraction of the length at or above a height. Its core
+ * and the peaks and valleys outside the core (ISO 21920-2, formerly ISO
  * 13565-2):
  *
- *     the secant over 40 % of the ratio that is flattest; the line of least
- *     squares in height over that part, from its height at 0 to that at 100 %:
- *     k, the depth of the core
- *     pk, vk: height of the right-angled triangle over the ratio mr1 that the
- *     peaks above the core have (1 - mr2 the valleys below), of equal area
+ *     central part: the 40 % of the ratio over which the secant is flattest
+ *     k: depth of the core, the height at 0 minus the height at 100 % of the
+ *        regression line of the central part
+ *     mr1, 1 - mr2: material ratio of the peaks above and of the valleys below
+ *        the core
+ *     pk, vk: heights of right-angled triangles with these ratios as base and
+ *        the areas of the peaks and of the valleys
  */
 
 /* A height and the length of the profile at this height. */

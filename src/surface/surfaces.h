@@ -88,8 +88,8 @@ const char *ovr_surfaces_inside(const ovr_surfaces *surfaces, double inlet,
 double ovr_surfaces_centre(const ovr_surfaces *surfaces, size_t feature,
                            double T);
 
-/* Returns the first T >= 0 after `after` at which a feature's centre, or with
- * `copies` that of a copy, reaches X; INFINITY if it does not before
+/* Returns the first T >= 0 after `after` at which the centre of a feature, or
+ * of a copy of it if `copies` is set, reaches X; INFINITY if it does not before
  * `until`. */
 double ovr_surfaces_arrival(const ovr_surfaces *surfaces, size_t feature,
                             double X, double after, double until);

@@ -80,7 +80,7 @@ static void fill_octave(const ovr_image_sum *sum, double first, double *c)
     }
 }
 
-/* The same by interpolation in the table. */
+/* Returns the sum by interpolation in the table. */
 static double tabled(const ovr_image_sum *sum, double X)
 {
     int octave;

@@ -66,8 +66,8 @@ void ovr_heat_surface_predict(ovr_simulation *sim, int k, const double *q);
  * time. */
 void ovr_heat_surface_store(ovr_simulation *sim, int k, const double *q);
 
-/* Resets the modes to those of a surface that has absorbed no heat; visits the
- * modes to be saved, each as an array in the order of the nodes. */
+/* Resets the modes to a surface that has absorbed no heat; visits the modes to
+ * be saved, each as an array in the order of the nodes. */
 void ovr_heat_surface_reset(ovr_simulation *sim, int k);
 void ovr_heat_surface_visit(ovr_simulation *sim, int k, ovr_pieces *state);
 

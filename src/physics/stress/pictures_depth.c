@@ -165,8 +165,9 @@ ovr_status ovr_depth_field_solve(ovr_depth_field *f, size_t k, ovr_error *err)
     return OVR_OK;
 }
 
-/* The colour scale ends at the maximum of the run, limited relative to that of
- * a smooth contact, so that a single instant does not determine the scale. */
+/* The colour scale ends at the maximum of the run, limited to a multiple of the
+ * maximum of a smooth contact. A single instant therefore does not determine
+ * the scale. */
 static ovr_status scan_snapshots(ovr_depth_field *f, ovr_error *err)
 {
     const ovr_result_info *info = f->run->info;

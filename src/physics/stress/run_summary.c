@@ -214,8 +214,8 @@ static void report_lengths(const ovr_report_sink *to,
     ovr_report_line(to, "equivalent raceway length", "%s downward", w.text);
 }
 
-/* Features increase the risk.  A risk below that of the smooth contact means
- * that their effect is smaller than the error. */
+/* Features increase the risk. If the risk is lower than the risk of the smooth
+ * contact, their effect is smaller than the error. */
 static bool has_effect(const ovr_stress_report *r)
 {
     return !(r->life->equivalent_length < 0) && !(r->ratio > 1);
