@@ -211,16 +211,19 @@ static void range_of_sliding(const ovr_setup *s, double *least, double *most)
     }
 }
 
-/* Error of the friction with a rheological model; the friction of a Newtonian
- * film depends on its pressure spike, which the grid of a run cannot
- * resolve. */
+bool ovr_expects_friction(const ovr_setup *s)
+{
+    const ovr_lubricant *oil = s->lubricant;
+    return oil->rheology != OVR_NEWTONIAN || oil->limiting_shear > 0;
+}
+
+/* Error of the friction, or 0. */
 static double of_friction(const ovr_setup *s)
 {
     const double steady = 4, through_zero = 2.5, most_of_all = 12;
     const double nothing = 1e-9;
-    const ovr_lubricant *oil = s->lubricant;
     double least, most, square = s->mesh * s->mesh;
-    if (oil->rheology == OVR_NEWTONIAN && !(oil->limiting_shear > 0))
+    if (!ovr_expects_friction(s))
         return 0;
     range_of_sliding(s, &least, &most);
     if (fmax(most, -least) < nothing)

@@ -15,4 +15,8 @@ double ovr_expected(const ovr_setup *setup, double arriving);
 /* Returns an error that nine of ten cases do not exceed. */
 double ovr_expected_at_most(const ovr_setup *setup);
 
+/* False if the expected error leaves out the friction: that of a Newtonian film
+ * depends on the pressure spike, which grids do not resolve. */
+bool ovr_expects_friction(const ovr_setup *s);
+
 #endif

@@ -336,11 +336,15 @@ static void report_domain(const ovr_report_sink *to, const ovr_setup *setup)
 static void report_grid(const ovr_report_sink *to, const ovr_setup *setup,
                         const ovr_cost *cost)
 {
-    const char *const of[] = {"central film thickness",
-                              "minimum film thickness",
-                              "effect of the features",
-                              "central and minimum film thickness, friction"};
+    const char *const of[] = {
+        "central film thickness", "minimum film thickness",
+        "effect of the features", "central and minimum film thickness"};
     const ovr_options *o = setup->options;
+    const char *friction = setup->accuracy_of != OVR_ACCURACY_ALL ? ""
+                           : ovr_expects_friction(setup)
+                               ? ", friction"
+                               : "; not the friction of a Newtonian lubricant, "
+                                 "which depends on the pressure spike";
     ovr_report_title(to, "Numerics");
     ovr_report_line(to, "grid", "level %d, %.0f nodes, mesh size D = %.6g%s",
                     o->level, cost->nodes, cost->mesh,
@@ -357,8 +361,9 @@ static void report_grid(const ovr_report_sink *to, const ovr_setup *setup,
             "at the pressure spike, until its height changes by less than "
             "%g",
             o->refine_change);
-    ovr_report_line(to, "expected discretization error", "%.1g at most (%s)",
-                    ovr_expected_at_most(setup), of[setup->accuracy_of]);
+    ovr_report_line(to, "expected discretization error", "%.1g at most (%s%s)",
+                    ovr_expected_at_most(setup), of[setup->accuracy_of],
+                    friction);
     if (setup->expected <= setup->accuracy)
         ovr_report_line(to, "level",
                         "%d, the first with a likely error below %g%s",
