@@ -192,6 +192,15 @@ def default_case(seed):
     return kind, "\n".join(DEFAULT[kind][1](r)) + "\n"
 
 
+def um(r, key, low, high):
+    return f"{key} = {log_between(r, low, high):.4f} um"
+
+
+def feature(end, shape, *lines):
+    """A feature, and the end of the run."""
+    return ["[feature f]", f"shape = {shape}", *lines, "[time]", f"end = {end}"]
+
+
 def case(seed, kinds=COMMON):
     """A case with common conditions and a feature of one of these kinds."""
     r = random.Random(seed)
@@ -209,40 +218,27 @@ def case(seed, kinds=COMMON):
         lines += ["[cavitation]", "model = conserving", "[supply]",
                   "model = film", f"thickness_1 = {film:.4f} um",
                   f"thickness_2 = {film:.4f} um"]
-    if kind in ("dent", "ridge", "bump", "starved"):
-        shape = "ridge" if kind == "starved" else kind
-        size = "depth" if kind == "dent" else "height"
-        lines += ["[feature f]", f"shape = {shape}",
-                  f"{size} = {log_between(r, .05, .4):.4f} um",
-                  f"width = {log_between(r, .2, .8):.3f}", "start = -6",
-                  "[time]", "end = 11"]
-    elif kind == "deep":
-        lines += ["[feature f]", "shape = dent",
-                  f"depth = {log_between(r, .5, 3):.4f} um",
-                  f"width = {log_between(r, .12, .8):.3f}", "start = -6",
-                  "[time]", "end = 11"]
+    if kind in ("dent", "ridge", "bump", "starved", "deep"):
+        shape = {"starved": "ridge", "deep": "dent"}.get(kind, kind)
+        deep = kind == "deep"
+        heights, narrowest = ((.5, 3), .12) if deep else ((.05, .4), .2)
+        lines += feature(
+            11, shape,
+            um(r, "depth" if shape == "dent" else "height", *heights),
+            f"width = {log_between(r, narrowest, .8):.3f}", "start = -6")
     elif kind == "texture":
-        lines += ["[feature f]", "shape = texture",
-                  f"depth = {log_between(r, .1, 1):.4f} um",
-                  f"width = {r.uniform(.15, .4):.3f}",
-                  f"wavelength = {r.uniform(.5, 1.2):.3f}", "grow = 1",
-                  "[time]", "end = 5"]
-    elif kind == "short":
-        lines += ["[feature f]", "shape = wave",
-                  f"amplitude = {log_between(r, .02, .1):.4f} um",
-                  f"wavelength = {r.uniform(.15, .3):.3f}", "grow = 1",
-                  "[time]", "end = 5"]
-    elif kind == "wave":
-        lines += ["[feature f]", "shape = wave",
-                  f"amplitude = {log_between(r, .03, .2):.4f} um",
-                  f"wavelength = {r.uniform(.3, 1.2):.3f}", "grow = 1",
-                  "[time]", "end = 7"]
+        lines += feature(5, kind, um(r, "depth", .1, 1),
+                         f"width = {r.uniform(.15, .4):.3f}",
+                         f"wavelength = {r.uniform(.5, 1.2):.3f}", "grow = 1")
+    elif kind in ("short", "wave"):
+        end, heights, lengths = {"short": (5, (.02, .1), (.15, .3)),
+                                 "wave": (7, (.03, .2), (.3, 1.2))}[kind]
+        lines += feature(end, "wave", um(r, "amplitude", *heights),
+                         f"wavelength = {r.uniform(*lengths):.3f}", "grow = 1")
     elif kind == "roughness":
-        lines += ["[feature f]", "shape = roughness",
-                  f"Rq = {log_between(r, .03, .3):.4f} um", "length = 14",
-                  f"shortest = {r.uniform(.25, .3):.3f}",
-                  f"seed = {r.randint(1, 999)}", "start = 3", "grow = 1",
-                  "[time]", "end = 8"]
+        lines += feature(8, kind, um(r, "Rq", .03, .3), "length = 14",
+                         f"shortest = {r.uniform(.25, .3):.3f}",
+                         f"seed = {r.randint(1, 999)}", "start = 3", "grow = 1")
     elif kind == "load":
         lines += ["[load]", "history = sine",
                   f"amplitude = {r.uniform(.1, .5):.3f}",
