@@ -488,7 +488,8 @@ bench: $(BENCHBIN) $(PROGRAM) $(SHARED) ## how fast it is, on this machine
 
 CALL  := $(wildcard src/*/*.[ch] src/*/*/*.[ch] include/overroll/*.h \
            tests/*/*.[ch])
-SHALL := $(shell grep -lE '^\#!/bin/(ba)?sh' tools/* tools/examples/* tests/*/* .ci/* 2>/dev/null)
+SHALL := $(shell grep -lE '^\#!/bin/(ba)?sh' tools/* tools/examples/* tools/paper/* \
+           src/web/* tests/*/* .ci/* 2>/dev/null)
 
 format: ## lay out the sources with clang-format
 	@clang-format -i $(CALL)

@@ -47,7 +47,7 @@ mean_speed = 1 m/s\n[lubricant]\nviscosity = %s mPa.s\noil = mineral\n' \
     number alpha_per_Pa | awk -v a="$alpha" '{ off = $1 * 1e9 - a
         exit !(off < 0.06 && off > -0.06) }' ||
         fail "alpha of $viscosity mPa.s is not $alpha: $(number alpha_per_Pa)"
-    tr '\n' ' ' <"$page" | grep -q "[^0-9.]$alpha[^0-9]" ||
+    tr '\n' ' ' <"$page" | grep -q "[^0-9.]${alpha}[^0-9]" ||
         fail "overroll-case(5) does not have $alpha"
 done <<'END'
 13.6 18.4

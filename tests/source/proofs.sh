@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Every test that tools/validation/proofs.md names is there: `FOLDER/FILE` below
 # tests, whose ending `.c` may be left out, and in `FOLDER/FILE:NAME` one of its
-# TESTs or Python functions; `make GOAL` is a goal of the Makefile.
+# TESTs or Python functions; `make GOAL` is a goal of the Makefile.  Each page
+# of the manual has a table, and the lists of the Makefile name tests.
 . "$TOP/tests/support/cli.sh"
 
 list=$TOP/tools/validation/proofs.md
@@ -42,6 +43,13 @@ for page in "$TOP"/src/*/overroll*.[0-9]; do
 done
 missing "$list" >gone
 [ ! -s gone ] || fail "proofs.md names what is not there: $(cat gone)"
+
+# The lists of tests in the Makefile, which would leave out what is not there.
+grep -oE "\\b($folders)/[a-z_0-9]+(_test\.c|\.sh)" "$TOP/Makefile" >listed
+[ "$(wc -l <listed)" -ge 40 ] || fail "the Makefile lists $(wc -l <listed)"
+while read -r name; do
+    [ -f "$TOP/tests/$name" ] || fail "Makefile: no tests/$name"
+done <listed
 
 # What is not there is found, also across lines and beside what is.
 cat >wrong.md <<'END'
