@@ -279,8 +279,9 @@ static void report_rough_film(const ovr_report_sink *to, const ovr_setup *setup,
         ovr_report_line(to, "minimum film thickness",
                         "no prediction: the predicted roughness is as high as "
                         "the film thickness");
-    ovr_report_detail(to, "accuracy",
-                      "within 2 %% (half the cases), 12 %% at most");
+    if (!film->but)
+        ovr_report_detail(to, "accuracy",
+                          "within 2 %% (half the cases), 12 %% at most");
 }
 
 /* ----------------------------------------------------------- grid and cost */

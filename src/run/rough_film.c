@@ -202,7 +202,13 @@ static const char *reservation(const ovr_setup *s, double steepness,
          ovr_history_varies(s->radius) || s->passes->loads.count))
         return "load, speed or radius vary; the prediction is for the "
                "reference contact";
-    return slides(s) ? sliding_error(s, steepness) : NULL;
+    if (slides(s))
+        return sliding_error(s, steepness);
+    const ovr_contact *c = s->contact;
+    return c->M >= 20 && c->M <= 200 && c->L >= 4 && c->L <= 14
+               ? NULL
+               : "M or L is outside 20 to 200, 4 to 14: Rq was predicted 0.6 "
+                 "to 1.4 times that of runs";
 }
 
 /* State of a prediction. */

@@ -187,6 +187,8 @@ TEST(cases_without_prediction)
         {"", "contact.slide_to_roll=-0.1", NULL, "slide"},
         {"", "contact.M=1.9", "2 <= M", NULL},
         {"", "contact.L=1", "2 <= L", NULL},
+        {"", "contact.M=12", NULL, "outside 20 to 200"},
+        {"", "contact.L=20", NULL, "outside 20 to 200"},
         {"[feature d]\nshape = dent\ndepth = 0.01\nwidth = 0.5\n", NULL, NULL,
          "not single features"},
         {"", "feature.w.amplitude=0.3", NULL, "as high as"},
