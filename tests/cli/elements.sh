@@ -186,7 +186,7 @@ no less 'above 2, where two or more pairs' gear.addendum=1.5 \
 printf '0 0.3\n0.5 1.4\n1.7 0.3\n' >shares.txt
 no gear '1.4' gear.sharing=table gear.file=shares.txt
 printf '0 0.3\n1.7 0.3\n0.5 1\n' >shares.txt
-no gear "shares.txt:3: the way must increase: 0.5 follows 1.7" \
+no gear "shares.txt:3: the distance must increase: 0.5 follows 1.7" \
     gear.sharing=table gear.file=shares.txt
 
 # Cams

@@ -132,7 +132,7 @@ refuses 'also set in \[lubricant\]' check hot.ini \
 expect 0 "$OVERROLL" check hot.ini --set 'contact.mean_speed=0.1 m/s'
 grep 'Peclet number\|does not move' err && fail 'no surface is that slow'
 expect 0 "$OVERROLL" check hot.ini --set 'contact.mean_speed=1 mm/s'
-contains err 'surface 1 is computed too cold .* the model covers'
+contains err 'temperature of surface 1 is too low, .* the model covers'
 expect 0 "$OVERROLL" check hot.ini --set 'contact.slide_to_roll=2'
 contains err 'surface 2 does not move and has no steady temperature'
 expect 0 "$OVERROLL" check run.ini --set sliding.to=2 --set time.end=9
