@@ -71,6 +71,47 @@ static double feature_steps(const ovr_feature_info *f, double relative)
     return f->speed == 0 ? at_rest : fmin(single * relative, most);
 }
 
+static bool thins(const ovr_setup *setup)
+{
+    return setup->lubricant->rheology != OVR_NEWTONIAN;
+}
+
+/* Cycles of a strip in which a feature grows out of the smooth surfaces.
+ * Measured with 40 random strips whose features are higher than the film.
+ * Nested iteration finds the film in 20 to 150 cycles.  Where it does not, 370
+ * to 5000 are needed.  This happens to most protruding features of five film
+ * thicknesses, and of one in a shear-thinning film.  The formula is between the
+ * two. */
+static double strip_cycles(const ovr_feature_info *f, double relative,
+                           bool thinned)
+{
+    const double one = 25, most = 1500, recess = 0.6, thinning = 3;
+    if (!(relative > 1))
+        return 0;
+    if (f->raised < 0.5 * f->amplitude)
+        relative *= recess;
+    if (thinned)
+        relative *= thinning;
+    return fmin(one * relative * relative, most);
+}
+
+/* Time in which features of a strip grow. */
+static double strip_growth(const ovr_setup *setup)
+{
+    const double cycle = 1.3e-7, thinning = 1e-7; /* a node */
+    const double lines = (double)ovr_setup_lines(setup);
+    double film = ovr_film_central_moes(setup->contact->M, setup->contact->L);
+    double cycles = 0;
+    for (size_t k = 0, n = ovr_surfaces_count(setup->surfaces); k < n; k++) {
+        ovr_feature_info info = ovr_surfaces_info(setup->surfaces, k);
+        if (starts_inside(setup, k))
+            cycles = fmax(cycles, strip_cycles(&info, info.amplitude / film,
+                                               thins(setup)));
+    }
+    return cycles * (double)setup->nodes * lines *
+           (cycle + (thins(setup) ? thinning : 0));
+}
+
 /* Pseudo-time steps of the steady start. Only features higher than the film
  * thickness need them. Grids that do not resolve the inlet need up to 4000
  * steps. */
@@ -106,11 +147,12 @@ ovr_cost ovr_setup_cost(const ovr_setup *setup, double live)
     double node_steps = cost.nodes *
                         (steady_steps(setup) +
                          (march->adaptive ? ADAPTIVE : 1) * cost.steps);
-    bool thins = setup->lubricant->rheology != OVR_NEWTONIAN;
-    double node_step = NODE_STEP + (thins ? THINNING : 0);
+    double node_step = NODE_STEP + (thins(setup) ? THINNING : 0);
     double pass = node_steps * node_step +
                   ovr_setup_seconds_of_physics(setup, node_steps);
-    pass += growing_steps(setup) * cost.nodes * node_step;
+    pass += ovr_setup_lines(setup) > 1
+                ? strip_growth(setup)
+                : growing_steps(setup) * cost.nodes * node_step;
     cost.seconds = START + cost.passes * pass;
     cost.seconds += refine_seconds(setup->options, cost.nodes);
     return cost;

@@ -479,14 +479,17 @@ ovr_strip_step ovr_strip_march_attempt(ovr_strip_march *march, double next)
     make_side(march);
     level->force = march->force;
     make_guess(march);
-    while (!step.solved && step.attempts < OVR_STRIP_ATTEMPTS &&
-           !(step.attempts && ovr_strip_stops(march->strip))) {
-        if (settings[step.attempts].afresh)
+    for (int k = march->first;
+         !step.solved && k < OVR_STRIP_ATTEMPTS &&
+         !(step.attempts && ovr_strip_stops(march->strip));
+         k++) {
+        if (settings[k].afresh)
             restore(march);
-        march->strip->fluid.secants = step.attempts > 0;
+        march->strip->fluid.secants = k > 0;
         ovr_strip_refresh(march->strip, level);
-        step.solved = cycle_until(march, step.attempts, &step);
+        step.solved = cycle_until(march, k, &step);
         step.attempts++;
+        step.last = k;
     }
     return step;
 }

@@ -49,10 +49,11 @@ typedef struct ovr_strip_march {
     int formula, coupling; /* formula and coupling for the next step */
     double nearness[OVR_STRIP_GUESSES];
     double next; /* time of the attempt */
+    int first;   /* setting of the first attempt */
 } ovr_strip_march;
 
 typedef struct ovr_strip_step {
-    int cycles, attempts;
+    int cycles, attempts, last; /* last: setting of the last attempt */
     double imbalance;
     bool solved;
 } ovr_strip_step;

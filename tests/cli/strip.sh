@@ -108,7 +108,38 @@ number disk_bytes >bytes
 awk '$1 < 72 * 113 * 28 || $1 > 78 * 113 * 28 { exit 1 }' bytes ||
     fail "size of the file: $(cat bytes)"
 
+# A groove of five film thicknesses grows out of smooth surfaces.  The cost of
+# that is predicted within ten times.  Cycles stand for time.
+cat >groove.ini <<'END'
+[contact]
+M = 20
+L = 10
+[domain]
+level = 5
+[strip]
+[time]
+end = 0.02
+[feature groove]
+shape = groove
+depth = 0.4
+width = 0.5
+start = -0.3
+END
+for depth in 0.01 0.4; do
+    expect 0 "$OVERROLL" check groove.ini --json \
+        --set feature.groove.depth=$depth
+    number estimated_seconds >>costs
+    expect 0 "$OVERROLL" run groove.ini -o groove.h5 --force --json \
+        --set feature.groove.depth=$depth
+    number cycles_total >>costs
+done
+grep -q '"way": "from smooth surfaces' out || fail "the groove did not grow"
+paste -s -d ' ' costs | awk '{ r = $3 / $1 / ($4 / $2)
+    exit !(r > 0.1 && r < 10 && $4 < 3000) }' ||
+    fail "predicted seconds and cycles, shallow and deep: $(cat costs)"
+
 # Two threads take less time, but more than half of it.
+expect 0 "$OVERROLL" check dent.ini --json
 number estimated_seconds >alone
 expect 0 "$OVERROLL" check dent.ini --json --set strip.threads=2
 number estimated_seconds | paste alone - >both
