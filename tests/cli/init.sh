@@ -39,7 +39,7 @@ expect 0 "$OVERROLL" run hot.ini --level 5 -o hot.h5
 expect 0 "$OVERROLL" init coated
 mv out coated.ini
 expect 0 "$OVERROLL" check coated.ini
-contains out '^#   coating 1 +0\.01[0-9]+ b thick'
+contains out '^#   coating 1 +thickness 0\.01[0-9]+ b'
 [ ! -s err ] || fail "coated: $(cat err)"
 expect 0 "$OVERROLL" run coated.ini --level 7 -o coated.h5
 contains out '^von Mises stress in a layer '
