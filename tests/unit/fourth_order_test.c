@@ -118,7 +118,7 @@ static errors poiseuille(const ovr_kernels *run, size_t n, bool upstream,
     const test_grid *g = &of.grid;
     double D = of.c.D, F[2 * N];
     errors e = {0};
-    of.c.first = 0, of.c.behind = upstream ? (ptrdiff_t)n : 0;
+    of.c.first = 0, of.c.end = upstream ? (ptrdiff_t)n : 0;
     fill(g, g->f.P, pressure, -1, D);
     fill(g, g->f.eps, coefficient, -1, D);
     fill(g, g->f.q, NULL, -1, D);
@@ -206,7 +206,7 @@ static errors by_reduced_pressure(const ovr_kernels *run, size_t n)
     test_grid_logarithmic(&of.grid);
     of.c.reduced = true;
     of.c.rise = g->band.delta;
-    of.c.first = of.c.behind = 0;
+    of.c.first = of.c.end = 0;
     fill(g, f->P, pressure, -1, D);
     fill(g, f->H, opening, -1, D);
     fill(g, f->rho, density, -1, D);
@@ -355,7 +355,7 @@ static void arrays_of(const test_grid *grid, ovr_fourth *c)
                       .D = grid->D,
                       .Cu = 0.7,
                       .first = 0,
-                      .behind = (ptrdiff_t)ceil(4 / grid->D),
+                      .end = (ptrdiff_t)ceil(4 / grid->D),
                       .log_eps = grid->band.b[0],
                       .flux = grid->band.b[1],
                       .rise = grid->band.delta,
