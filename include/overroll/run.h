@@ -327,9 +327,10 @@ typedef struct ovr_sweep_options {
     void (*progress)(void *data, size_t ended, size_t cases, int running,
                      size_t failed, double fraction);
     bool (*stop)(void *data); /* called as often as `progress` */
-    /* Like `report`, for studies with [find]. */
+    /* Like `report`, for studies with [find], whose rows contain the numbers of
+     * ovr_find_summary. */
     void (*report_find)(void *data, const struct ovr_find *find,
-                        const ovr_error *err, FILE *summary);
+                        const ovr_error *err);
     size_t more; /* see `one` */
 } ovr_sweep_options;
 

@@ -172,7 +172,7 @@ static void report_table(const cli_call *call, const ovr_find *find)
         print_table(find, i);
 }
 
-void cli_json_find(json_writer *json, const ovr_find *find)
+static void json_find(json_writer *json, const ovr_find *find)
 {
     const ovr_find_info *i = ovr_find_get_info(find);
     ovr_find_summary(find, false, cli_put_line, json);
@@ -200,7 +200,7 @@ int cli_report_find(const cli_call *call, const ovr_find *find,
     int code = CLI_DONE;
     if (call->json) {
         json_writer json = json_begin(stdout);
-        cli_json_find(&json, find);
+        json_find(&json, find);
         json_end(&json);
     } else if (call->verbosity >= 0) {
         report_table(call, find);

@@ -3,10 +3,6 @@
 #define OVR_CLI_FIND_REPORT_H
 
 #include "cli/cli.h"
-#include "cli/json.h"
-
-/* Writes what a search found, as keys of an object. */
-void cli_json_find(json_writer *json, const ovr_find *find);
 
 /* Prints the answer, or why there is none; returns the exit code. */
 int cli_report_find(const cli_call *call, const ovr_find *find,

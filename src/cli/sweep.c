@@ -239,16 +239,9 @@ static void report_case(void *data, const ovr_run *run, const ovr_error *err,
 }
 
 /* Reports the answer of a search in the same way. */
-static void report_found(void *data, const ovr_find *find, const ovr_error *err,
-                         FILE *summary)
+static void report_found(void *data, const ovr_find *find, const ovr_error *err)
 {
     const sweeping *w = data;
-    if (summary && find && !err->status) {
-        json_writer json = json_begin(summary);
-        cli_json_find(&json, find);
-        ovr_find_summary(find, true, cli_put_line, &json);
-        json_end(&json);
-    }
     if (find)
         cli_report_find(&w->logged, find, err->status, err);
     else

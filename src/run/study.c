@@ -562,6 +562,11 @@ ovr_status ovr_study_output_set(ovr_study *s, const char *folder,
     return copy ? OVR_OK : OVR_NO_MEMORY;
 }
 
+bool ovr_study_in_rows(const ovr_study *s)
+{
+    return !s->results || s->find.how.key;
+}
+
 void ovr_study_file(const ovr_study *s, size_t task, const char *ending,
                     char *path, size_t capacity)
 {

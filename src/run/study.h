@@ -126,6 +126,10 @@ struct ovr_study {
     uint64_t base;      /* hash of everything that the cases have in common */
 };
 
+/* True if the numbers of the cases are rows of tables (run/study_rows.h): of
+ * searches and without result files. */
+bool ovr_study_in_rows(const ovr_study *s);
+
 /* Returns the value of a task. A computed value is
  * written to `text` (OVR_STUDY_VALUE characters). */
 const char *ovr_study_value(const ovr_study *s, const ovr_study_key *key,

@@ -285,8 +285,8 @@ static bool ends_with(const char *name, const char *ending)
     return n > m && !strcmp(name + n - m, ending);
 }
 
-/* Marks cases with result files of their own, as version 0.3.0 and studies with
- * result files write. */
+/* Marks cases with result files of their own, as studies with result files
+ * write. */
 static void index_files(rebuilding *b)
 {
     const ovr_study *s = b->r->s;
@@ -296,6 +296,8 @@ static void index_files(rebuilding *b)
         to = b->r->records + (size_t)RECORD * i;
         ovr_study_file(s, i, ".json", path, sizeof path);
         found = access(path, F_OK) == 0;
+        ovr_study_file(s, i, ".h5", path, sizeof path);
+        found = found && access(path, F_OK) == 0;
         ovr_study_file(s, i, ".failed", path, sizeof path);
         found = found || access(path, F_OK) == 0;
         if (!found || *to)

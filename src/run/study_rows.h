@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Results of a study without result files (results = no), for any number of
- * cases.  The folder of the results has
+ * Results of a study without result files (results = no, or [find]), for any
+ * number of cases.  The folder of the results has
  *
  *     cases-N.csv   a row for each case that has ended: name, hash of its
  *                   values, status, message, time, numbers of its summary.

@@ -79,27 +79,6 @@ static const ovr_table_column *store_number(ovr_table *t, size_t task,
     return c;
 }
 
-/* Reads a line ` "key": value,` of JSON written by this program, outside of
- * inner objects: a number, NAN for null; false for a text or an inner
- * object. */
-static bool read_pair(const char *line, char *key, size_t capacity,
-                      double *value)
-{
-    const char *from = line + 2, *end, *text;
-    if (strncmp(line, "  \"", 3) != 0 || !(end = strchr(from + 1, '"')) ||
-        strncmp(end, "\": ", 3) != 0)
-        return false;
-    snprintf(key, capacity, "%.*s", (int)(end - from - 1), from + 1);
-    text = end + 3;
-    *value = NAN;
-    if (!strncmp(text, "null", 4))
-        return true;
-    *value = strncmp(text, "true", 4) == 0;
-    if (!strncmp(text, "true", 4) || !strncmp(text, "false", 5))
-        return true;
-    return ovr_read_number(&text, value);
-}
-
 /* Reads the numbers of a task from its result file; false if there is no file
  * or no summary. */
 static bool read_result(ovr_table *t, size_t task, ovr_error *err)
@@ -124,23 +103,8 @@ static bool read_result(ovr_table *t, size_t task, ovr_error *err)
     return count > 0;
 }
 
-/* Reads the JSON of a task without result file (a study with [find]). */
-static void read_json(ovr_table *t, size_t task, ovr_error *err)
-{
-    char path[PATH_CAPACITY], line[512], key[64];
-    double value;
-    FILE *from;
-    ovr_study_file(t->study, task, ".json", path, sizeof path);
-    from = fopen(path, "r");
-    while (from && fgets(line, sizeof line, from))
-        if (read_pair(line, key, sizeof key, &value))
-            store_number(t, task, key, value, 0, err);
-    if (from)
-        fclose(from);
-}
-
-/* State of reading a row of a study without result files. The numbers are
- * usually in the order of the columns. */
+/* State of reading a row. Its numbers are usually in the order of the
+ * columns. */
 typedef struct row_reader {
     ovr_table *t;
     size_t task, next;
@@ -275,7 +239,7 @@ static ovr_status gather(ovr_table *t, ovr_error *err)
     t->state = state;
     if (!state || add_keys(t, err))
         return OVR_NO_MEMORY;
-    if (!s->results && !(t->results = ovr_rows_open(s, true, err)))
+    if (ovr_study_in_rows(s) && !(t->results = ovr_rows_open(s, true, err)))
         return OVR_IO;
     for (size_t i = 0; i < s->tasks; i++) {
         state[i] = ovr_task_state(s, t->results, i);
@@ -283,7 +247,7 @@ static ovr_status gather(ovr_table *t, ovr_error *err)
             if (t->results && !ovr_rows_elsewhere(t->results, i))
                 state[i] = OVR_SWEEP_WAITING; /* the row was destroyed */
             else if (!read_result(t, i, err))
-                read_json(t, i, err);
+                state[i] = OVR_SWEEP_CHANGED; /* of an earlier version */
         }
         t->count[state[i]]++;
     }

@@ -24,7 +24,7 @@ struct ovr_table {
     size_t keys;
     const ovr_sweep_state *state;
     size_t count[OVR_SWEEP_STATES];
-    ovr_rows *results; /* results of a study without result files, or NULL */
+    ovr_rows *results; /* tables of a study, or NULL */
 };
 
 ovr_table *ovr_table_make(const ovr_allocator *allocator, ovr_error *err);

@@ -19,7 +19,7 @@ typedef struct sweeping {
     ovr_arena arena;
     size_t *task; /* tasks to process */
     size_t tasks, failed;
-    ovr_rows *rows; /* in a worker of a study without result files */
+    ovr_rows *rows; /* in a worker of a study with rows, otherwise NULL */
 } sweeping;
 
 /* ------------------------------------------------------------------- tasks */
@@ -28,7 +28,7 @@ static int work(void *data, size_t task, ovr_shared shared)
 {
     sweeping *w = data;
     ovr_error err = {0};
-    if (!w->s->results && !w->rows)
+    if (ovr_study_in_rows(w->s) && !w->rows)
         w->rows = ovr_rows_open(w->s, false, &err);
     return err.status
                ? (int)err.status
@@ -78,7 +78,8 @@ static ovr_status list_tasks(sweeping *w, ovr_error *err)
     if (!w->task)
         return OVR_NO_MEMORY;
     ovr_rows *rows = NULL;
-    if (!w->s->results && !(rows = ovr_rows_open(w->s, !w->how.one, err)))
+    if (ovr_study_in_rows(w->s) &&
+        !(rows = ovr_rows_open(w->s, !w->how.one, err)))
         return err->status;
     for (size_t i = first; i <= last; i++)
         if (ovr_sweep_is_due(&w->how, ovr_task_state(w->s, rows, i)))

@@ -85,7 +85,7 @@ static bool same_case(const ovr_study *s, size_t task, int fd)
 /* Returns the state by the files that exist, for a case of this study. */
 static ovr_sweep_state state_by_files(const ovr_study *s, size_t task)
 {
-    if (exists(s, task, ".json"))
+    if (exists(s, task, ".json") && exists(s, task, ".h5"))
         return OVR_SWEEP_FINISHED;
     if (exists(s, task, ".failed"))
         return OVR_SWEEP_FAILED;
@@ -94,11 +94,32 @@ static ovr_sweep_state state_by_files(const ovr_study *s, size_t task)
                : OVR_SWEEP_WAITING;
 }
 
+static ovr_rows *open_rows(const ovr_study *s)
+{
+    return ovr_study_in_rows(s) ? ovr_rows_open(s, false, NULL) : NULL;
+}
+
+/* Returns the state of a case without a row whose search has left evaluations
+ * of this case or another one. */
+static ovr_sweep_state state_of_search(const ovr_study *s, size_t task)
+{
+    if (!s->find.how.key || !exists(s, task, ".find.csv"))
+        return OVR_SWEEP_WAITING;
+    int fd = open_file(s, task, ".ini", O_RDONLY);
+    bool same = fd >= 0 && same_case(s, task, fd);
+    if (fd >= 0)
+        close(fd);
+    return same ? OVR_SWEEP_STOPPED : OVR_SWEEP_CHANGED;
+}
+
 ovr_sweep_state ovr_task_state(const ovr_study *s, const ovr_rows *rows,
                                size_t task)
 {
-    if (rows && !ovr_rows_elsewhere(rows, task))
-        return ovr_rows_state(rows, task);
+    if (rows && !ovr_rows_elsewhere(rows, task)) {
+        ovr_sweep_state in_rows = ovr_rows_state(rows, task);
+        return in_rows == OVR_SWEEP_WAITING ? state_of_search(s, task)
+                                            : in_rows;
+    }
     ovr_sweep_state state = state_by_files(s, task);
     int fd = open_file(s, task, ".ini", O_RDWR);
     if (fd < 0) /* no case file: other files there are foreign */
@@ -116,7 +137,7 @@ ovr_sweep_state ovr_sweep_state_of(const ovr_study *s, size_t task)
 {
     if (!s || task >= s->tasks)
         return OVR_SWEEP_WAITING;
-    ovr_rows *rows = s->results ? NULL : ovr_rows_open(s, false, NULL);
+    ovr_rows *rows = open_rows(s);
     ovr_sweep_state state = ovr_task_state(s, rows, task);
     ovr_rows_close(rows);
     return state;
@@ -127,7 +148,7 @@ ovr_sweep_state ovr_sweep_state_of(const ovr_study *s, size_t task)
 bool ovr_task_foreign(const ovr_study *s, size_t task)
 {
     bool foreign = false;
-    if (!s->results)
+    if (!s->results && !s->find.how.key)
         return false;
     int fd = state_by_files(s, task) == OVR_SWEEP_WAITING
                  ? open_file(s, task, ".ini", O_RDONLY)
@@ -146,7 +167,7 @@ void ovr_sweep_message(const ovr_study *s, size_t task, char *text,
         return;
     char path[PATH_CAPACITY];
     FILE *from;
-    ovr_rows *rows = s->results ? NULL : ovr_rows_open(s, false, NULL);
+    ovr_rows *rows = open_rows(s);
     text[0] = '\0';
     if (rows)
         ovr_rows_message(rows, task, text, capacity);
@@ -187,7 +208,7 @@ void ovr_task_died(const ovr_study *s, size_t task, int number)
         number == SIGHUP)
         return;
     snprintf(message, sizeof message, "killed by signal %d", number);
-    ovr_rows *rows = s->results ? NULL : ovr_rows_open(s, false, NULL);
+    ovr_rows *rows = open_rows(s);
     if (rows)
         ovr_rows_fail(rows, task, message, NULL);
     else
@@ -222,7 +243,7 @@ typedef struct working {
     FILE *summary;
     int output, error; /* copies of the process's standard streams, restored
                         * afterwards */
-    ovr_rows *rows;    /* results of a study without result files, or NULL */
+    ovr_rows *rows;    /* tables of the study, or NULL */
     ovr_row *row;      /* numbers of this case, used with `rows` instead of a
                         * summary */
 } working;
@@ -347,35 +368,11 @@ static void report(const working *w, const ovr_run *run, const ovr_error *err)
 static void report_find(const working *w, const ovr_find *find,
                         const ovr_error *err)
 {
-    if (w->row && find && err->status == OVR_OK)
+    if (find && err->status == OVR_OK)
         for (int answer = 0; answer < 2; answer++)
             ovr_find_summary(find, answer, ovr_row_add, w->row);
-    if (w->how->report_find) {
-        w->how->report_find(w->how->data, find, err, w->summary);
-    } else if (!w->row && find && err->status == OVR_OK) {
-        fputs("{\n", w->summary);
-        ovr_find_summary(find, true, write_line, w->summary);
-        fputs("  \"finished\": true\n}\n", w->summary);
-    }
-}
-
-/* Performs the search of a case. Evaluations are stored in NAME.find.csv, from
- * which an interrupted search continues. */
-static void find_case(working *w, ovr_case *c, ovr_error *err)
-{
-    ovr_find_options how = w->s->find.how;
-    char path[PATH_CAPACITY];
-    ovr_study_file(w->s, w->task, ".find.csv", path, sizeof path);
-    how.table = path;
-    how.go_on = true;
-    how.data = w;
-    how.say = forward_message;
-    how.stop = stop;
-    ovr_find *find = ovr_find_create(c, &how, err);
-    if (find && ovr_find_execute(find, err) == OVR_OK)
-        err->status = OVR_OK;
-    report_find(w, find, err);
-    ovr_find_free(find);
+    if (w->how->report_find)
+        w->how->report_find(w->how->data, find, err);
 }
 
 static void fail_to_write(const ovr_study *s, size_t task, ovr_error *err)
@@ -384,6 +381,31 @@ static void fail_to_write(const ovr_study *s, size_t task, ovr_error *err)
     int number = errno;
     ovr_study_file(s, task, ".ini", path, sizeof path);
     ovr_fail(err, OVR_IO, "%s: cannot be written: %s", path, strerror(number));
+}
+
+/* Performs the search of a case. Evaluations are stored in NAME.find.csv, from
+ * which an interrupted search of the case NAME.ini continues. */
+static void find_case(working *w, ovr_case *c, ovr_error *err)
+{
+    ovr_find_options how = w->s->find.how;
+    char path[PATH_CAPACITY];
+    int fd = open_file(w->s, w->task, ".ini", O_RDWR | O_CREAT);
+    bool written = fd >= 0 && write_case(w->s, fd, c);
+    if (!written)
+        fail_to_write(w->s, w->task, err);
+    if (fd >= 0)
+        close(fd);
+    ovr_study_file(w->s, w->task, ".find.csv", path, sizeof path);
+    how.table = path;
+    how.go_on = true;
+    how.data = w;
+    how.say = forward_message;
+    how.stop = stop;
+    ovr_find *find = written ? ovr_find_create(c, &how, err) : NULL;
+    if (find && ovr_find_execute(find, err) == OVR_OK)
+        err->status = OVR_OK;
+    report_find(w, find, err);
+    ovr_find_free(find);
 }
 
 /* Runs the case and writes its summary. */
@@ -397,7 +419,7 @@ static void run_case(working *w, bool resume, int fd, ovr_error *err)
         run = begin(w, c, resume, err);
     if (run && ovr_run_execute(run, err) == OVR_OK)
         err->status = OVR_OK;
-    if (c && w->s->find.how.key && !err->status)
+    if (c && w->s->find.how.key)
         find_case(w, c, err);
     else
         report(w, run, err);
@@ -475,7 +497,7 @@ static void work_locked(working *w, int fd, ovr_error *err)
                     err->status == OVR_BAD_INPUT ? 2 : 1);
 }
 
-/* --------------------------------------------- cases without result files */
+/* ------------------------------------------------------ cases with rows */
 
 /* Redirects standard output and error to the log of this process, after a line
  * with the name of the case. Returns the offset of that line. */
@@ -509,8 +531,11 @@ static void keep_row(working *w, ovr_error *err)
         ovr_rows_finish(w->rows, w->task, w->row, err);
     else if (err->status != OVR_STOPPED)
         ovr_rows_fail(w->rows, w->task, err->message, &why);
-    if (err->status == OVR_OK)
-        discard(w->s, w->task, ".find.csv");
+    if (err->status || w->s->results)
+        return;
+    discard(w->s, w->task, ".find.csv");
+    if (w->s->find.how.key)
+        discard(w->s, w->task, ".ini");
 }
 
 static void work_claimed(working *w, ovr_error *err)
@@ -518,9 +543,11 @@ static void work_claimed(working *w, ovr_error *err)
     ovr_row row;
     int log = ovr_rows_log(w->rows);
     off_t at;
-    if (!ovr_sweep_is_due(w->how, ovr_task_state(w->s, w->rows, w->task)))
+    ovr_sweep_state state = ovr_task_state(w->s, w->rows, w->task);
+    if (!ovr_sweep_is_due(w->how, state))
         return; /* another process solves it */
-    if (ovr_rows_elsewhere(w->rows, w->task) || w->how->redo)
+    if (ovr_rows_elsewhere(w->rows, w->task) || w->how->redo ||
+        (w->s->find.how.key && state != OVR_SWEEP_STOPPED))
         start_afresh(w->s, w->task);
     if (ovr_row_begin(&row, err) == OVR_OK)
         w->row = &row;

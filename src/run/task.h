@@ -9,7 +9,9 @@
  *     NAME.json    its summary, once it has finished
  *     NAME.failed  exit code and message of a failure
  *
- * A study with results = no has tables instead (run/study_rows.h).
+ * A study with results = no has tables instead (run/study_rows.h), and so has a
+ * study with [find]. Its cases have NAME.ini and NAME.find.csv, the evaluations
+ * of the search, which remain unless results = no.
  */
 #ifndef OVR_RUN_TASK_H
 #define OVR_RUN_TASK_H
@@ -20,7 +22,7 @@
 
 /* Runs or resumes a task in this process, whose standard output and error go
  * to its log meanwhile; returns the status it ended with.  `rows`: open for a
- * study without result files, otherwise NULL. */
+ * study with rows, otherwise NULL. */
 ovr_status ovr_task_work(const ovr_study *s, size_t task,
                          const ovr_sweep_options *how, ovr_shared shared,
                          ovr_rows *rows);

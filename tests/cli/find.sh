@@ -4,6 +4,7 @@
 # several answers, failed ends, rejected input; in a study, stopped and
 # resumed.
 . "$TOP/tests/support/cli.sh"
+need setsid
 
 # close A B TOLERANCE: relative.
 close() {
@@ -222,7 +223,7 @@ expect 2 "$OVERROLL" find dent.ini contact.slide_to_roll between -0.5 and 0.5 \
 contains err 'does not reach 9;'
 
 # In a study: a curve; the table has a column of the key's name; a case that
-# was stopped is resumed with what it has
+# was stopped is resumed from its evaluations
 cat >curve.ini <<'END'
 [study]
 case = dent.ini
@@ -242,21 +243,52 @@ column() { # NAME TABLE ROW
 }
 close "$(column feature.dent.depth curve.csv 2)" "$at" 1e-3
 case=curve/slide_to_roll=0.2
-cp "$case.json" whole.json
+without_time() { # TABLE: without the columns of times
+    awk -F, 'NR == 1 { for (k = 1; k <= NF; k++) time[k] = $k ~ /^seconds/ }
+        { for (k = 1; k <= NF; k++) if (!time[k]) printf "%s,", $k
+          print "" }' "$1"
+}
+without_time curve.csv >whole
 rows=$(wc -l <"$case.find.csv")
-rm "$case.json"
 head -n 5 "$case.find.csv" >kept
 cp kept "$case.find.csv"
 printf '0.3,0.0' >>"$case.find.csv" # a row that was being written
+sed -i '/^slide_to_roll=0.2,/d' curve/cases-*.csv
+rm curve/cases.index
 expect 3 "$OVERROLL" sweep curve.ini --collect curve.csv
 contains out '1 stopped'
+sed 's/>= 0.05/>= 0.04/' curve.ini >other.ini
+expect 3 "$OVERROLL" sweep other.ini -o curve --collect other.csv
+contains out '2 changed'
 expect 0 "$OVERROLL" sweep curve.ini -q
 [ "$(wc -l <"$case.find.csv")" -eq "$rows" ] || fail 'other evaluations'
 head -n 5 "$case.find.csv" | cmp - kept || fail 'evaluations were run again'
-sed '/seconds/d' whole.json >one
-sed '/seconds/d' "$case.json" | cmp - one || fail 'resumed it differs'
+expect 0 "$OVERROLL" sweep curve.ini --collect curve.csv -q
+without_time curve.csv | cmp - whole || fail 'resumed it differs'
+# killed with its processes in the middle of a search
+setsid "$OVERROLL" sweep curve.ini -o killed -j 1 -q >/dev/null 2>&1 &
+tries=0
+until [ "$(cat killed/*.find.csv 2>/dev/null | wc -l)" -ge 4 ]; do
+    tries=$((tries + 1))
+    [ $tries -lt 3000 ] || fail 'no evaluation is written'
+    sleep 0.01
+done
+kill -9 "-$!" 2>/dev/null
+wait $! 2>/dev/null
+for _ in $(seq 100); do
+    "$OVERROLL" sweep curve.ini -o killed -q && break
+    sleep 0.1 # a process that was killed may still hold locks
+done
+expect 0 "$OVERROLL" sweep curve.ini -o killed --collect killed.csv -q
+without_time killed.csv | cmp - whole || fail 'killed and resumed it differs'
+# without result files no files of single cases remain, and the table is equal
+sed 's/^case = .*/&\nresults = no/' curve.ini >rows.ini
+expect 0 "$OVERROLL" sweep rows.ini -q
+expect 0 "$OVERROLL" sweep rows.ini --collect rows.csv -q
+without_time rows.csv | cmp - whole || fail 'without files it differs'
+[ -z "$(find rows -name 'slide*')" ] || fail "files of cases: $(ls rows)"
 # another question is another case
-sed 's/>= 0.05/>= 0.04/' curve.ini >other.ini && mv other.ini curve.ini
+mv other.ini curve.ini
 expect 3 "$OVERROLL" sweep curve.ini --collect curve.csv
 contains out '2 changed'
 

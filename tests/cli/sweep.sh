@@ -58,24 +58,17 @@ contains study/manifest.csv '^8,seed=2_s.*=10,2,upstream2,20,10,finished,.*h5,'
 expect 0 "$OVERROLL" sweep study.ini --collect one.csv -q
 contains one.csv '^1,[^,]*,1,upstream1,10,5,finished,1,'
 
-# The table is that of the result files, whatever stands in the JSON beside
-# them; without files, and of files that older versions wrote, that of the JSON
+# The table is made from the result files, not from the JSON; cases whose files
+# were removed are to be run again
 cp -r study told
 for file in told/*.json; do
     sed 's/^  "H_min": .*/  "H_min": 7,/' "$file" >kept && mv kept "$file"
 done
 expect 0 "$OVERROLL" sweep study.ini -o told --collect told.csv -q
 cmp one.csv told.csv || fail 'the table is not of the result files'
-columns() { # TABLE: its rows, columns by name
-    awk -F, 'NR == 1 { n = split($0, name, ","); next }
-        { for (k = 1; k <= n; k++) if (name[k] != "seconds")
-            print $1, name[k], $k }' "$1" | sort
-}
-rm told/*.h5
-cp study/*.json told
-expect 0 "$OVERROLL" sweep study.ini -o told --collect told.csv -q
-columns one.csv >one.columns
-columns told.csv | cmp - one.columns || fail 'files and JSON tell other things'
+rm "told/${one#*/}.h5"
+expect 3 "$OVERROLL" sweep study.ini -o told --collect told.csv
+contains out '1 waiting 11 finished'
 
 # Two workers
 expect 0 "$OVERROLL" sweep study.ini -j 2 -o two
