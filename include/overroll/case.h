@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A case: the text that describes a run, read from a file and single
- * settings, and what it resolves to.
+ * A case: the text that describes a run, read from a file and single settings,
+ * and its resolution into a setup.
  *
  *     ovr_case *c = ovr_case_read("dent.ini", NULL, &err);
  *     ovr_case_set(c, "domain.level", "9", "--level", &err);

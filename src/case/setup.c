@@ -269,8 +269,8 @@ static void usual_level(ovr_resolved *r)
                  ovr_model_feature_bit(OVR_MODEL_STRIP, true);
     if (s->options->level != OVR_GRID_USUAL)
         return;
-    if (strip) { /* a time step of a strip costs as much as hundreds of a line
-                  * contact */
+    if (strip) { /* a time step of a strip costs hundreds of times that of a
+                    line contact */
         s->options->level = resolving_level(r, OVR_USUAL_STRIP, 1);
         s->accuracy = 0;
         return;

@@ -117,7 +117,8 @@ ovr_layered_hertz ovr_images_dry(const ovr_images *images, double a);
  */
 typedef struct ovr_warmed {
     int layers;
-    double effusivity[OVR_LAYERS_MAX + 1]; /* the last: that of the substrate */
+    double effusivity[OVR_LAYERS_MAX +
+                      1]; /* of the layers, then of the substrate */
     double tau[OVR_LAYERS_MAX];
 } ovr_warmed;
 

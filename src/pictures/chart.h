@@ -102,7 +102,7 @@ typedef struct ovr_panel {
     ovr_image image;
     bool ground; /* a thin line at y = 0, with numbers only above it. A bar of
                   * round length below it is the scale of curves there */
-    const char *bar_unit; /* unit after that length */
+    const char *bar_unit; /* unit of the length of the bar */
     bool equal; /* equal scales of both axes, and its own x axis: a drawing */
 } ovr_panel;
 

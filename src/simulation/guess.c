@@ -37,8 +37,8 @@ typedef struct term {
 
 enum { MAX_TERMS = 8 };
 
-/* Number of steps between comparisons of all formulas. A comparison costs as
- * much as half a cycle, and the best formula rarely changes. */
+/* Number of steps between comparisons of all formulas. A comparison costs half
+ * a cycle, and the best formula rarely changes. */
 enum { LEARN_EVERY = 4 };
 
 typedef struct formula {

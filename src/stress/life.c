@@ -12,9 +12,9 @@
  *
  *     i(xi) = int <A - A_u>^c z^-h dz,  lambda = int (i - i_0) dxi / i_0
  *
- * where i_0 is that of the smooth contact: lambda is the length of smooth
- * raceway with the same risk as that added by the feature. Both are integrals
- * from a minimum depth on and depend on it.
+ * where i_0 is i of the smooth contact: lambda is the length of smooth raceway
+ * whose risk equals the risk added by the feature. Both are integrals from a
+ * minimum depth on and depend on it.
  *
  * A is monotone cubic in ln z between the depths (F. N. Fritsch, R. E. Carlson,
  * SIAM J. Numer. Anal. 17, 1980), the integral over ln z by Gauss's rule of 5

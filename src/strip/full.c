@@ -26,9 +26,8 @@ static void begin_level(ovr_strip *strip, const ovr_strip_full *how,
     ovr_strip_refresh(strip, level);
 }
 
-/* Hertz's semi-ellipse, H0 = film + w(0):
- *     w(0) = force (ln(s/2) - 1/2)/pi of a half width s
- */
+/* Initial guess: Hertzian pressure of the half-width s, and H0 = film + w(0)
+ * with w(0) = force (ln(s/2) - 1/2)/pi. */
 static void hertzian_start(ovr_strip *strip, const ovr_strip_full *how)
 {
     const ovr_strip_level *level = &strip->level[0];
