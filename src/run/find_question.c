@@ -248,14 +248,14 @@ static ovr_status read_condition(ovr_find *f, ovr_error *err)
                               "'%.40s' must be largest or smallest", which);
     if (which && !said.sense)
         return ovr_fail_about(err, "which",
-                              "the %s %s so that %s is a value: use at most "
+                              "%s %s: the condition '%s' must contain at most "
                               "or at least",
-                              which, f->info.key, said.quantity);
+                              which, f->info.key, f->how.condition);
     if (!which && said.sense)
         return ovr_fail_about(err, "which",
-                              "%s so that %s is at most or at least a value: "
-                              "use largest or smallest",
-                              f->info.key, said.quantity);
+                              "largest or smallest is missing before %s: the "
+                              "condition '%s' holds in a range",
+                              f->info.key, f->how.condition);
     return OVR_OK;
 }
 

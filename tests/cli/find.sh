@@ -198,9 +198,11 @@ H='so that H_min_overall'
         $depth 0.01 and 0.5 so that H_min_overal is 0.05
     asks 'T_max_rise: is not a result of this run' \
         $depth 0.01 and 0.5 so that T_max_rise is 4
-    asks 'largest .*use at most or at least' dent.ini largest \
+    asks 'largest .*the condition .* must contain at most or at least' \
+        dent.ini largest \
         feature.dent.depth between 0.1 and 0.5 $H is 0.05
-    asks 'use largest or smallest' $depth 0.1 and 0.5 $H at most 0.05
+    asks '^overroll: largest or smallest is missing before feature.dent.depth' \
+        $depth 0.1 and 0.5 $H at most 0.05
     asks 'cannot be measured in um' $depth 0.1 and 0.5 so that P_max is 2 um
     asks 'unknown unit' $depth 0.1 and 0.5 so that P_max is 2 furlongs
     asks 'the ends must differ' $depth 0.1 and 0.1 $H is 0.05
@@ -299,7 +301,7 @@ wrong() { # PATTERN LINES
 wrong 'between is missing' 'key = contact.M\nso_that = H_min is 1\n'
 wrong "did you mean 'so_that'" 'sothat = H_min is 1\n'
 wrong 'two numbers' 'key = contact.M\nbetween = 3\nso_that = H_min is 1\n'
-wrong 'wrong.ini:6: .*use largest' \
+wrong 'wrong.ini:6: .*largest or smallest is missing' \
     'key = contact.M\nbetween = 3, 5\nso_that = H_min <= 1\n'
 
 # A folder of results serves one find at a time.
