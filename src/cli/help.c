@@ -106,12 +106,15 @@ static void describe_range(const ovr_parameter_info *p, char *text,
                            size_t capacity)
 {
     const char *unit = *p->bare ? p->bare : "";
-    char si[16] = "";
+    const double degree = 0.017453292519943295;
+    char first[16] = ""; /* unit: SI, of angles degrees */
     if (!*p->bare && *p->units)
-        snprintf(si, sizeof si, " %.*s", (int)strcspn(p->units, ","), p->units);
+        snprintf(first, sizeof first, " %.*s", (int)strcspn(p->units, ","),
+                 p->units);
+    double one = strcmp(first, " deg") != 0 ? 1 : degree;
     snprintf(text, capacity, "%s%s%g to %g%s%s%s", p->type,
-             p->above ? " above " : " ", p->minimum, p->maximum, si,
-             *unit ? " " : "", unit);
+             p->above ? " above " : " ", p->minimum / one, p->maximum / one,
+             first, *unit ? " " : "", unit);
 }
 
 static void print_choices(const ovr_parameter_info *p)

@@ -195,6 +195,12 @@ boundary.law=profile law: surfaces that touch
 plastic.surface=1 surface: plastic deformation
 stress.surface=1 surface: stresses
 END
+for section in stress plastic fatigue; do
+    { cat dent.ini && echo "[$section]"; } >with.ini
+    refuses "cannot be combined with a strip; use no .$section" check with.ini
+done
+refuses 'angle: 100 deg must be -90 to 90 deg' check dent.ini \
+    --set feature.dent.angle='100 deg'
 refuses 'thickness: a coating cannot be combined with a strip' check dent.ini \
     --set 'coating 1.material=dlc' --set 'coating 1.thickness=2 um'
 

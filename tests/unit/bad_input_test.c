@@ -42,12 +42,18 @@ static bool shows(const char *message, const char *format, double number)
     return strstr(message, target) != NULL;
 }
 
+/* The unit of messages in SI: angles are in degrees. */
+static double unit_of(const ovr_parameter_info *p)
+{
+    return strncmp(p->units, "deg,", 4) ? 1 : 0.017453292519943295;
+}
+
 /* All words; a number's largest value, or its units. */
 static bool says_what_is_allowed(const ovr_parameter_info *p,
                                  const char *message)
 {
-    bool range = shows(message, "%.0f", p->maximum) ||
-                 shows(message, "%g", p->maximum);
+    double most = p->maximum / unit_of(p);
+    bool range = shows(message, "%.0f", most) || shows(message, "%g", most);
     if (is_text(p))
         return strstr(message, "; allowed: ") != NULL;
     if (of_type(p, "yes or no"))
@@ -100,13 +106,13 @@ static void bad_value(const ovr_parameter_info *p, const char *value)
     ovr_case_free(c);
 }
 
-/* The value in the SI unit, where a unit must be. */
+/* The value with its unit, where a unit must be. */
 static void put_number(const ovr_parameter_info *p, double value, char *number,
                        size_t capacity)
 {
     bool unit = *p->units && !*p->bare;
-    snprintf(number, capacity, "%.17g%s%.*s", value, unit ? " " : "",
-             unit ? (int)strcspn(p->units, ",") : 0, p->units);
+    snprintf(number, capacity, "%.17g%s%.*s", value / unit_of(p),
+             unit ? " " : "", unit ? (int)strcspn(p->units, ",") : 0, p->units);
 }
 
 /* Taken or refused as the range says; and if taken, resolving ends well or
@@ -458,7 +464,7 @@ TEST(memory_is_estimated_first)
     if (s)
         assert_int_equal(ovr_setup_prepare(s, &hook, &err), OVR_BAD_INPUT);
     CHECK_ERROR(&err, OVR_BAD_INPUT, "t.ini:5: level: ");
-    CHECK_ERROR(&err, OVR_BAD_INPUT, " GB of memory, and this machine ");
+    CHECK_ERROR(&err, OVR_BAD_INPUT, " GB of memory, but this machine ");
     assert_true(largest < 1000000);
     ovr_setup_free(s);
     ovr_case_free(c);
