@@ -222,13 +222,26 @@ static int check_output(const cli_call *call, const char *option)
     return CLI_DONE;
 }
 
-static int write_outputs(const cli_call *call, const profile_report *r)
+/* Says which part of a map a profile's file holds. */
+static void say_line(cli_call *call, const char *copy)
+{
+    char text[400];
+    snprintf(text, sizeof text,
+             "%.300s holds one line of the map; a case with shape = areal "
+             "reads the map itself",
+             copy);
+    cli_say(call, OVR_MESSAGE_NOTE, text);
+}
+
+static int write_outputs(cli_call *call, const profile_report *r)
 {
     const char *copy = cli_value(call, "convert");
     const char *picture = cli_value(call, "plot");
     ovr_error err;
     if (copy && ovr_profile_save(r->profile, copy, &err))
         return cli_fail(&err);
+    if (copy && r->map)
+        say_line(call, copy);
     if (picture && r->points &&
         ovr_picture_contact(r->view, profile_pressed(r), r->bears, r->points,
                             r->file, picture, &err))
@@ -318,8 +331,8 @@ static ovr_status filter_map(const ovr_conditioning *line, profile_report *r,
     return ovr_areal_measure(r->map, &r->areal, err);
 }
 
-static int report_profile(const cli_call *call,
-                          const ovr_profile_source *source, profile_report *r)
+static int report_profile(cli_call *call, const ovr_profile_source *source,
+                          profile_report *r)
 {
     ovr_conditioning how;
     ovr_error err;
@@ -342,7 +355,7 @@ static int report_profile(const cli_call *call,
     return code;
 }
 
-static int report_on(const cli_call *call, const ovr_profile_source *source,
+static int report_on(cli_call *call, const ovr_profile_source *source,
                      const ovr_contact *contact)
 {
     profile_report r = {.file = call->argument[0], .contact = contact};
@@ -437,7 +450,8 @@ static const cli_option options[] = {
      "dry contact with a smooth surface: pressure, mean gap, contact length",
      false},
     {"convert", "OUT",
-     "write the conditioned profile: X3P (.x3p), SDF (.sdf), otherwise text",
+     "write the conditioned profile, of a map the line used: X3P (.x3p), SDF "
+     "(.sdf), otherwise text",
      false},
     {"plot", "OUT.png",
      "draw the profile, of an areal file the map and the line used, or with "

@@ -56,6 +56,13 @@ file = map.sdf
 max_missing = 0.1
 END
 
+# Of a map one line is converted, and said to be.
+expect 0 "$OVERROLL" profile map.sdf --row 7 --convert line.csv
+contains err 'line.csv holds one line of the map'
+[ "$(grep -vc '^#' line.csv)" -eq 80 ] || fail 'not one row of 80 points'
+expect 0 "$OVERROLL" profile line.csv --convert again.csv
+[ ! -s err ] || fail 'a profile is called a map'
+
 # The wave has Sq 0.2 um/sqrt(2); the plane below it is removed.
 for file in map.sdf map.x3p map.txt; do
     set -- --set "feature.map.file=$file"
