@@ -278,7 +278,8 @@ static ovr_status refuse_in_strip(const ovr_resolved *r, ovr_error *err)
 {
     static const int needy[] = {OVR_MODEL_HEAT,    OVR_MODEL_SUPPLY,
                                 OVR_MODEL_PASSES,  OVR_MODEL_BOUNDARY,
-                                OVR_MODEL_COATING, OVR_MODEL_PLASTIC};
+                                OVR_MODEL_COATING, OVR_MODEL_STRESS,
+                                OVR_MODEL_PLASTIC, OVR_MODEL_FATIGUE};
     if (!ovr_block_is_there(ovr_case_find_block(r->c, "strip", NULL)))
         return OVR_OK;
     for (size_t k = 0; k < sizeof needy / sizeof *needy; k++) {
@@ -287,8 +288,9 @@ static ovr_status refuse_in_strip(const ovr_resolved *r, ovr_error *err)
             1U << needy[k] | 1U << OVR_MODEL_STRIP);
         const ovr_block *block = ovr_block_of(r, feature.section);
         const ovr_slot *slot = block ? ovr_block_get(block, feature.key) : NULL;
-        if (conflict && slot && slot->given &&
-            strcmp(slot->text, conflict->instead))
+        bool whole = block && block->section->whole;
+        bool on = whole ? ovr_block_is_there(block) : slot && slot->given;
+        if (conflict && on && (whole || strcmp(slot->text, conflict->instead)))
             return refuse(r, conflict, err);
     }
     return OVR_OK;

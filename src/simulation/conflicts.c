@@ -47,6 +47,7 @@ static const ovr_conflict conflicts[] = {
     {OVR_MODEL_COATING, OVR_MODEL_STRIP, "no [coating]", of_line},
     {OVR_MODEL_PLASTIC, OVR_MODEL_STRIP, "no [plastic]", of_line},
     {OVR_MODEL_STRESS, OVR_MODEL_STRIP, "no [stress]", of_line},
+    {OVR_MODEL_FATIGUE, OVR_MODEL_STRIP, "no [fatigue]", of_line},
     {OVR_MODEL_PATCHES, OVR_MODEL_STRIP, "none", of_line},
     {OVR_MODEL_ORDER_4, OVR_MODEL_STRIP, "2", of_line},
     {OVR_MODEL_UPSTREAM1, OVR_MODEL_STRIP, "upstream2", of_line},

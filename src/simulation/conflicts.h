@@ -57,7 +57,7 @@
     FEATURE(PASSES, "several passes", "passes", "number", false, false,        \
             s->passes->number > 1)                                             \
     FEATURE(STRESS, "stresses", "stress", "surface", true, false, false)       \
-    FEATURE(FATIGUE, "fatigue", "fatigue", "criterion", false, false, false)   \
+    FEATURE(FATIGUE, "fatigue", "fatigue", "criterion", true, false, false)    \
     FEATURE(PLASTIC, "plastic deformation", "plastic", "surface", true, false, \
             false)                                                             \
     FEATURE(PATCHES, "patches", "domain", "refine", false,                     \
