@@ -222,7 +222,7 @@ static int check_output(const cli_call *call, const char *option)
     return CLI_DONE;
 }
 
-/* Says which part of a map a profile's file holds. */
+/* Prints that the written file contains one line of the map. */
 static void say_line(cli_call *call, const char *copy)
 {
     char text[400];
