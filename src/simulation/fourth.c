@@ -25,7 +25,8 @@
  * the equations of a step of any length: F includes the residual of the steady
  * film q_s,
  *     R_i = F_s + Cu (1.5 q_i - 2 q_{i-1} + 0.5 q_{i-2})/D - BDF2(q_s) -
- * F(q_s), its own correction F_s and wedge minus those of a step.
+ * F(q_s), its own correction F_s and wedge minus those of a step. With
+ * mass-conserving cavitation R is a difference of flows (fourth_content.h).
  *
  * With upstream2 a run adds the corrections of its steady start to the
  * right-hand sides of every step: they remove the second-order error of the
@@ -65,8 +66,8 @@ typedef struct fourth {
                    * the last step, with which its film was solved */
     bool ahead;   /* the next step is being solved */
     /* For constant operating conditions: q_s; the part of R that is independent
-     * of the step; m, negative where R is omitted; R of a step of length
-     * rest_dT. */
+     * of the step; m, negative where R is omitted, or with mass-conserving
+     * cavitation the flows psi; R of a step of length rest_dT. */
     int rests;
     double *start, *constant, *mask, *rest, rest_dT;
     ovr_fourth_content content; /* with mass-conserving cavitation */
@@ -484,8 +485,7 @@ static void begin(ovr_simulation *sim, void *own)
     const double *q = sim->now.q;
     f->follows = sim->order == 4 && sim->scheme->characteristic;
     f->ahead = false;
-    f->rests = f->follows && !varies(sim) && !has_moving_features(sim) &&
-               !ovr_conserves(sim);
+    f->rests = f->follows && !varies(sim) && !has_moving_features(sim);
     f->rest_dT = 0;
     if (!f->follows)
         return;
@@ -501,6 +501,12 @@ static void begin(ovr_simulation *sim, void *own)
 /* Computes R for a step dT. */
 static void rest(ovr_simulation *sim, fourth *f, double dT)
 {
+    if (ovr_conserves(sim)) {
+        ovr_fourth_content_rest(sim, &f->content, dT, f->start, f->constant,
+                                f->mask);
+        f->rest_dT = dT;
+        return;
+    }
     static const double bdf2[] = {1.5, -2, 0.5, 0},
                         third[] = {1. / 3, -1, 1, -1. / 3};
     double a = fabs(ovr_history_value(sim->histories.speed, 0)) * dT;
@@ -554,6 +560,8 @@ static void before_step(ovr_simulation *sim, void *own, double T)
         rest(sim, f, dT);
     else if (f->rests && !reaches)
         memset(f->rest, 0, f->n * sizeof *f->rest);
+    if (f->rests && reaches && ovr_conserves(sim))
+        ovr_fourth_content_rows(sim, &f->content, f->mask, f->rest);
 }
 
 static void accepted(ovr_simulation *sim, void *own, double dT)
@@ -650,6 +658,8 @@ static void visit(ovr_simulation *sim, void *own, ovr_pieces *state)
         /* valid if the step length is the same except for rounding */
         ovr_show(state, "rest", f->rest, bytes);
         OVR_SHOW(state, "rest_dT", f->rest_dT);
+        if (ovr_conserves(sim))
+            ovr_show(state, "rest_begun", f->content.begun, bytes);
     }
 }
 

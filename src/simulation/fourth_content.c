@@ -10,8 +10,9 @@
 ovr_status ovr_fourth_content_take(ovr_simulation *sim, ovr_fourth_content *of,
                                    ovr_error *err)
 {
-    return OVR_TAKE_NODES(sim, err, &of->mask, &of->flux, &of->excess,
-                          &of->bend, &of->workspace[0], &of->workspace[1]);
+    return OVR_TAKE_NODES(sim, err, &of->mask, &of->begun, &of->flux,
+                          &of->excess, &of->bend, &of->workspace[0],
+                          &of->workspace[1]);
 }
 
 /* ---------------------------------------------------- extent of the film */
@@ -63,16 +64,15 @@ static double away(double meshes, double over)
     return fmin(fmax((meshes - sharp) / over, 0), 1);
 }
 
-static void fade(const ovr_simulation *sim, double *m)
+static void fade(const ovr_simulation *sim, ovr_fourth_content *of)
 {
     const double begins = 8, ends = 4;
     const film f = film_of(sim);
     size_t n = sim->now.n;
     for (size_t i = 0; i < n; i++) {
         bool inside = i >= OVR_FOURTH_MARGIN && i + OVR_FOURTH_MARGIN < n;
-        m[i] = inside ? fmin(away((double)i - f.begin, begins),
-                             away(f.end - (double)i, ends))
-                      : 0;
+        of->begun[i] = inside ? away((double)i - f.begin, begins) : 0;
+        of->mask[i] = fmin(of->begun[i], away(f.end - (double)i, ends));
     }
 }
 
@@ -101,7 +101,7 @@ void ovr_fourth_content_evaluate(ovr_simulation *sim, ovr_fourth_content *of,
     ovr_fourth_evaluate(&sim->grids, c, 0, false);
     const double *f = flows(sim, of, &second);
     double *phi = of->excess;
-    fade(sim, of->mask);
+    fade(sim, of);
     memset(phi, 0, n * sizeof *phi);
     for (size_t i = OVR_FOURTH_MARGIN; i + OVR_FOURTH_MARGIN < n; i++) {
         double minimum = fmin(m[i], m[i + 1]);
@@ -154,7 +154,7 @@ void ovr_fourth_content_begin(ovr_simulation *sim, ovr_fourth_content *of,
     double T = sim->past.T[0] + dT, a = ovr_travel_since(sim, 0, T);
     size_t unknown = OVR_FOURTH_MARGIN + 2 * (size_t)ceil(a / ovr_mesh(sim)) +
                      4;
-    fade(sim, of->mask);
+    fade(sim, of);
     ovr_carriage_move(sim, T, sim->now.q, of->workspace[0]);
     ovr_carriage_move(sim, T, of->workspace[0], of->workspace[1]);
     bend(sim, of, came, h, third);
@@ -162,4 +162,49 @@ void ovr_fourth_content_begin(ovr_simulation *sim, ovr_fourth_content *of,
     ovr_carriage_move(sim, T, of->bend, of->workspace[0]);
     for (size_t i = 0; i < sim->now.n; i++)
         third[i] = (of->bend[i] - of->workspace[0][i]) / (3 * dT);
+}
+
+/* ------------------------------------------------------------ steady start */
+
+/* Contents that have moved from outside of the domain are unknown: psi is
+ * omitted there. */
+void ovr_fourth_content_rest(ovr_simulation *sim, ovr_fourth_content *of,
+                             double dT, const double *start,
+                             const double *constant, double *psi)
+{
+    double T = sim->past.T[0] + dT, a = ovr_travel_since(sim, 0, T);
+    double *once = of->workspace[0], *twice = of->workspace[1];
+    double *bend = ovr_work_take(sim), *moved = ovr_work_take(sim), sum = 0;
+    size_t n = sim->now.n;
+    size_t unknown = OVR_FOURTH_MARGIN + 3 * (size_t)ceil(a / ovr_mesh(sim)) +
+                     4;
+    ovr_carriage_move(sim, T, start, once);
+    ovr_carriage_move(sim, T, once, twice);
+    for (size_t i = 0; i < n; i++)
+        bend[i] = of->mask[i] * (start[i] - 2 * once[i] + twice[i]) /
+                  (2 * dT * dT);
+    ovr_carriage_move(sim, T, bend, moved);
+    psi[n - 1] = psi[n - 2] = 0;
+    for (size_t i = n - 2; i > 0; i--) {
+        double step = (1.5 * start[i] - 2 * once[i] + 0.5 * twice[i]) / dT;
+        double third = 2. / 3 * dT * (bend[i] - moved[i]);
+        sum += constant[i] - step - third;
+        psi[i - 1] = i > unknown ? -sim->now.D * sum : 0;
+    }
+    ovr_work_give(sim, moved);
+    ovr_work_give(sim, bend);
+}
+
+void ovr_fourth_content_rows(const ovr_simulation *sim,
+                             const ovr_fourth_content *of, const double *psi,
+                             double *R)
+{
+    size_t n = sim->now.n;
+    double before = 0;
+    R[0] = R[n - 1] = 0;
+    for (size_t i = 1; i + 1 < n; i++) {
+        double flow = fmin(of->begun[i], of->begun[i + 1]) * psi[i];
+        R[i] = (flow - before) / sim->now.D;
+        before = flow;
+    }
 }

@@ -19,6 +19,15 @@
  *     (G^k - G^{k-1}(X - a))/(t - t-3),
  *
  * so that lubricant removed in one step is returned in the next.
+ *
+ * R, with which a steady film remains steady in steps of any length (fourth.c),
+ * is a difference of flows as well: psi_{i-1/2} = -D (sum of R_j for j >= i),
+ * which is zero downstream of the film, where the content is uniform, and
+ *
+ *     R_i = (m_{i+1/2} psi_{i+1/2} - m_{i-1/2} psi_{i-1/2})/D,
+ *     m_{i+1/2} = min(m_i, m_{i+1}),
+ *
+ * with m of the present film.
  */
 #ifndef OVR_SIMULATION_FOURTH_CONTENT_H
 #define OVR_SIMULATION_FOURTH_CONTENT_H
@@ -26,8 +35,9 @@
 #include "simulation/internal.h"
 
 typedef struct ovr_fourth_content {
-    double *mask, *flux, *excess; /* m, f, phi */
-    double *bend;                 /* G */
+    double *mask, *begun;  /* m, and m without the decrease at the end */
+    double *flux, *excess; /* m, f, phi */
+    double *bend;          /* G */
     double *workspace[2];
 } ovr_fourth_content;
 
@@ -45,5 +55,14 @@ void ovr_fourth_content_third(ovr_simulation *sim, ovr_fourth_content *of,
                               double T, double dT, double *third);
 void ovr_fourth_content_begin(ovr_simulation *sim, ovr_fourth_content *of,
                               double dT, double *third);
+
+/* Computes psi at half nodes for steps dT from the steady contents `start` and
+ * the part of R that is independent of the step; then R at the nodes. */
+void ovr_fourth_content_rest(ovr_simulation *sim, ovr_fourth_content *of,
+                             double dT, const double *start,
+                             const double *constant, double *psi);
+void ovr_fourth_content_rows(const ovr_simulation *sim,
+                             const ovr_fourth_content *of, const double *psi,
+                             double *R);
 
 #endif

@@ -335,3 +335,48 @@ TEST(a_starved_dent)
     assert_true(e.H_cen < u.H_cen / 5 && e.H_min < u.H_min / 3);
     assert_true(v.H_cen < u.H_cen / 2 && v.H_min < u.H_min / 2);
 }
+
+/* -------------------------------------------------------- steady in any step
+ */
+
+/* Largest relative change of the film thickness and pressure of a smooth
+ * contact in 20 steps. */
+static double moved(double M, double L, double dT)
+{
+    ovr_options o = test_options();
+    ovr_error err = {0};
+    o.level = LEVEL;
+    o.scheme = OVR_CHARACTERISTIC;
+    o.order = 4;
+    o.cavitation = OVR_CAVITATION_CONSERVING;
+    o.tolerance = 1e-8;
+    ovr_simulation *sim = test_simulation(M, L, &o);
+    const ovr_observation *seen = ovr_simulation_observation(sim);
+    double most = 0;
+    CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+    const ovr_observation first = *seen;
+    for (int k = 0; k < 20; k++) {
+        CHECK_OK(ovr_simulation_step(sim, dT, &err), &err);
+        most = fmax(most, fabs(seen->H_cen / first.H_cen - 1));
+        most = fmax(most, fabs(seen->H_min / first.H_min - 1));
+        most = fmax(most, fabs(seen->P_max / first.P_max - 1));
+    }
+    assert_int_equal(ovr_simulation_order(sim), 4);
+    ovr_simulation_free(sim);
+    return most;
+}
+
+TEST(flooded_films_stay_steady_in_long_steps)
+{
+    static const double contacts[][2] = {{20, 10}, {200, 13}};
+    for (size_t k = 0; k < 2; k++) {
+        double D = 7. / (7 << LEVEL);
+        for (int steps = 1; steps <= 4; steps *= 2) {
+            double most = moved(contacts[k][0], contacts[k][1],
+                                (steps == 1 ? 0.8 : steps) * D);
+            print_message("    M = %g, %d D: %.1e\n", contacts[k][0], steps,
+                          most);
+            assert_true(most < 2e-4);
+        }
+    }
+}
