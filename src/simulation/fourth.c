@@ -65,9 +65,10 @@ typedef struct fourth {
     double *next; /* correction of the gap for the next step; `gap` is that of
                    * the last step, with which its film was solved */
     bool ahead;   /* the next step is being solved */
-    /* For constant operating conditions: q_s; the part of R that is independent
-     * of the step; m, negative where R is omitted, or with mass-conserving
-     * cavitation the flows psi; R of a step of length rest_dT. */
+    /* For constant operating conditions: q_s, and the part of R that is
+     * independent of the step. `mask` is m, negative where R is omitted; with
+     * mass-conserving cavitation it contains the flows psi. `rest` is R of a
+     * step of length rest_dT. */
     int rests;
     double *start, *constant, *mask, *rest, rest_dT;
     ovr_fourth_content content; /* with mass-conserving cavitation */

@@ -20,14 +20,14 @@
  *
  * so that lubricant removed in one step is returned in the next.
  *
- * R, with which a steady film remains steady in steps of any length (fourth.c),
- * is a difference of flows as well: psi_{i-1/2} = -D (sum of R_j for j >= i),
- * which is zero downstream of the film, where the content is uniform, and
+ * R of fourth.c, with which a steady film remains steady, is a difference of
+ * flows as well. The flow psi_{i-1/2} is -D times the sum of R_j for j >= i. It
+ * is zero downstream of the film, where the content is uniform.
  *
  *     R_i = (m_{i+1/2} psi_{i+1/2} - m_{i-1/2} psi_{i-1/2})/D,
- *     m_{i+1/2} = min(m_i, m_{i+1}),
+ *     m_{i+1/2} = min(m_i, m_{i+1}).
  *
- * with m of the present film.
+ * Here m is that of the present film, without the decrease towards its end.
  */
 #ifndef OVR_SIMULATION_FOURTH_CONTENT_H
 #define OVR_SIMULATION_FOURTH_CONTENT_H
