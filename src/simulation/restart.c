@@ -11,6 +11,7 @@
 #include "simulation/observe.h"
 #include "simulation/physics.h"
 #include "simulation/simulation.h"
+#include "simulation/steady.h"
 
 /* Numbers of the state and their addresses in a simulation. */
 #define PART(name, member)                                                     \
@@ -132,6 +133,7 @@ void ovr_simulation_restored(ovr_simulation *sim)
                                  .uncorrected = seen.order > 0 &&
                                                 seen.order < sim->order};
     ovr_steady_conditions(sim);
+    ovr_steady_restored(sim);
     sim->grids.fluid = sim->target.fluid;
     OVR_EACH_PHYSICS(sim, p, in_step, restored)
         p->is->in_step->restored(sim, p->own);

@@ -202,31 +202,38 @@ typedef struct strategy {
     const char *what;
     bool grown; /* pseudo-time steps in which features grow */
     bool gap;   /* use faces = gap in place of the logarithmic mean */
+    bool other; /* of solvers other than that of the line contact */
 } strategy;
 
-/* Index of the strategy with growing features. */
-enum { GROWTH = 1 };
-
 static const strategy strategies[] = {
-    {false, false, 1.6, 0.3, 0, 1, 0, 0.1, 0.3, "", false, false},
-    {false, false, 1.6, 0.3, 0, 1, 0, 0.1, 0.3,
-     "from smooth surfaces, with growing features", true, false},
+    {false, false, 1.6, 0.3, 0, 1, 0, 0.1, 0.3, "", false, false, false},
+    [OVR_STRATEGY_GROWTH] = {false, false, 1.6, 0.3, 0, 1, 0, 0.1, 0.3,
+                             "from smooth surfaces, with growing features",
+                             true, false, false},
     {true, false, 1.6, 0.3, 2, 1, 1, 0.1, 0.3,
-     "with a finer coarsest grid and more sweeps", false, false},
+     "with a finer coarsest grid and more sweeps", false, false, false},
     {true, true, 1.6, 0.3, 0, 1, 0, 0.1, 0.3,
-     "from a Newtonian film, with increasing shear thinning", false, false},
+     "from a Newtonian film, with increasing shear thinning", false, false,
+     false},
     {false, true, 1.25, 0.15, 0, 1, 0, 0.1, 0.3,
-     "the load was raised in smaller steps on a finer level", false, false},
+     "the load was raised in smaller steps on a finer level", false, false,
+     false},
     {false, true, 1.25, 0.15, 2, 2, 1, 0.03, 0.1,
      "the load was raised in smaller steps on a finer level, with a finer "
      "coarsest grid, more sweeps and stronger damping",
-     false, false},
+     false, false, false},
     {false, true, 1.25, 0.15, 2, 2, 1, 0.03, 0.1,
      "the load was raised in smaller steps, with the mean between nodes of "
      "domain.faces = gap",
-     false, true},
-    {false, false, 1.6, 0.3, 0, 1, 0, 0.1, 0.3,
-     "implicit steps in time until the film was steady", true, false}};
+     false, true, false},
+    [OVR_STRATEGY_IN_TIME] = {false, false, 1.6, 0.3, 0, 1, 0, 0.1, 0.3,
+                              "implicit steps in time until the film was "
+                              "steady",
+                              true, false, false},
+    [OVR_STRATEGY_GAP] = {.what = "with the mean between nodes of "
+                                  "domain.faces = gap",
+                          .gap = true,
+                          .other = true}};
 enum { STRATEGIES = sizeof strategies / sizeof *strategies };
 
 const char *ovr_simulation_strategy(const ovr_simulation *sim)
@@ -236,6 +243,21 @@ const char *ovr_simulation_strategy(const ovr_simulation *sim)
     return sim->start.strategy < STRATEGIES
                ? strategies[sim->start.strategy].what
                : "";
+}
+
+void ovr_steady_by_gap(ovr_simulation *sim)
+{
+    ovr_hierarchy_by_gap(&sim->grids);
+    sim->target.fluid.logarithmic = sim->target.fluid.secants = false;
+}
+
+void ovr_steady_restored(ovr_simulation *sim)
+{
+    int k = sim->start.strategy;
+    /* Steps in time follow the strategy with faces = gap. */
+    if ((k == OVR_STRATEGY_IN_TIME && !sim->options.refine) ||
+        (k >= 0 && k < STRATEGIES && strategies[k].gap))
+        ovr_steady_by_gap(sim);
 }
 
 static bool thins(const ovr_simulation *sim)
@@ -431,10 +453,13 @@ static bool is_left_out(const ovr_simulation *sim, const strategy *s,
 {
     bool marches = !rough && (sim->grids.touch.at || sim->options.max_cycles ||
                               sim->options.tolerance > 0);
+    if (s->other)
+        return true;
     if (s->gap)
         return !sim->grids.fluid.logarithmic || sim->options.refine;
     return (s->flow_law && !thins(sim)) ||
-           (s->grown && (rough != (s == &strategies[GROWTH]) || marches));
+           (s->grown &&
+            (rough != (s == &strategies[OVR_STRATEGY_GROWTH]) || marches));
 }
 
 /* Tries the strategies in order; returns the tolerance of the last one. */
@@ -449,10 +474,8 @@ static double search(ovr_simulation *sim, ovr_outcome *outcome)
             break;
         if (is_left_out(sim, &strategies[k], rough))
             continue;
-        if (strategies[k].gap) {
-            ovr_hierarchy_by_gap(&sim->grids);
-            sim->target.fluid.logarithmic = false;
-        }
+        if (strategies[k].gap)
+            ovr_steady_by_gap(sim);
         outcome->retries = tried++;
         ovr_full how = full_of(sim, &strategies[k]);
         sim->start.strategy = k;

@@ -6,6 +6,20 @@
 
 #include "simulation/internal.h"
 
+/* Strategies of steady.c that other solvers use as well. */
+enum {
+    OVR_STRATEGY_GROWTH = 1, /* growing features */
+    OVR_STRATEGY_IN_TIME = 7,
+    OVR_STRATEGY_GAP = 8 /* nested iteration with faces = gap */
+};
+
+/* Uses faces = gap in place of the logarithmic mean from now on. */
+void ovr_steady_by_gap(ovr_simulation *sim);
+
+/* Restores what the strategy of the start, known from a checkpoint, changed in
+ * the equations of the steps. */
+void ovr_steady_restored(ovr_simulation *sim);
+
 /* Tolerance of R and load for a level with film thickness H at X = 0; `data` is
  * the simulation. */
 double ovr_steady_tolerance(const void *data, const ovr_level *level, double H);

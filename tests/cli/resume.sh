@@ -99,4 +99,24 @@ END
 expect 0 "$OVERROLL" run profile.ini -o p.h5 -q
 printf 'x_um,z_um\n0,0\n100,0\n200,-0.3\n300,0\n400,0\n' >p.csv
 refuses "restore the original profile file" resume p.h5 --set time.end=4
+
+# A start that needed domain.faces = gap: the equations of all steps are those
+cat >gap.ini <<'END'
+[contact]
+M = 20
+L = 33
+[domain]
+level = 6
+[time]
+end = 0.06
+END
+for case in 'contact.M=12 --set contact.L=60' strip.width=1; do
+    rm -f ./gap*.h5*
+    expect 0 "$OVERROLL" run gap.ini -o gap.h5 --set $case
+    contains err 'domain.faces = gap'
+    expect 0 "$OVERROLL" run gap.ini -o gap_part.h5 -q --set $case \
+        --set time.end=0.03
+    expect 0 "$OVERROLL" resume gap_part.h5 -q --set time.end=0.06
+    same gap.h5 gap_part.h5
+done
 exit 0
