@@ -15,8 +15,8 @@ ovr_status ovr_setup_rough_film(const ovr_setup *setup,
                                 ovr_rough_film *to, ovr_error *err);
 
 /* Predicted output of a prepared setup: number of snapshots (without the
- * additional ones at maximum pressure and minimum film thickness), and bytes on
- * disk before compression. */
+ * additional ones at maximum pressure and minimum film thickness), and an upper
+ * bound of the bytes on disk: all snapshots without compression. */
 typedef struct ovr_storage {
     double snapshots, bytes;
 } ovr_storage;
