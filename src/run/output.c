@@ -270,7 +270,9 @@ static const double FRAME = 3e5;
 
 ovr_storage ovr_setup_storage(const ovr_setup *setup)
 {
-    enum { EXTREMES = 2 }; /* snapshots at largest pressure and least film */
+    enum {
+        EXTREMES = 2
+    }; /* snapshots at maximum pressure and minimum film thickness */
     if (!setup)
         return (ovr_storage){0};
     ovr_write_options w = ovr_write_options_default();

@@ -14,9 +14,9 @@ ovr_status ovr_setup_rough_film(const ovr_setup *setup,
                                 const ovr_allocator *allocator,
                                 ovr_rough_film *to, ovr_error *err);
 
-/* Predicted output of a prepared setup: number of snapshots (without the
- * additional ones at maximum pressure and minimum film thickness), and an upper
- * bound of the bytes on disk: all snapshots without compression. */
+/* Predicted output of a prepared setup. The number of snapshots excludes those
+ * at maximum pressure and minimum film thickness. The bytes on disk are an
+ * upper bound, without compression. */
 typedef struct ovr_storage {
     double snapshots, bytes;
 } ovr_storage;
