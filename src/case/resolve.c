@@ -70,6 +70,20 @@ static ovr_status check_solver(const ovr_resolved *r, ovr_error *err)
     return OVR_OK;
 }
 
+/* Sets the usual sweeps on one side of the coarse-grid correction if the case
+ * has a number for the other side only. */
+static void fill_sweeps(ovr_resolved *r)
+{
+    ovr_options *o = &r->values.options;
+    bool before = !ovr_slot_of(r, "solver", "sweeps_before")->word;
+    bool after = !ovr_slot_of(r, "solver", "sweeps_after")->word;
+    int usual = o->smoother == OVR_LINE ? 1 : 2;
+    if (after && !before)
+        o->sweeps_before = usual;
+    if (before && !after)
+        o->sweeps_after = usual;
+}
+
 static ovr_status resolve_options(ovr_resolved *r, ovr_error *err)
 {
     ovr_status status;
@@ -78,6 +92,7 @@ static ovr_status resolve_options(ovr_resolved *r, ovr_error *err)
         ovr_section_fill(r, "solver", err) ||
         ovr_section_fill(r, "paper", err) || ovr_section_fill(r, "time", err))
         return OVR_BAD_INPUT;
+    fill_sweeps(r);
     r->values.passes.side_flow = NAN;
     r->values.passes.spacing = r->values.passes.recovery = NAN;
     if (ovr_section_fill(r, "passes", err))

@@ -343,6 +343,26 @@ TEST_IN_FOLDER(load_from_a_table)
 
 /* -------------------------------------------------- the table of parameters */
 
+TEST(sweeps_given_on_one_side_leave_the_usual_on_the_other)
+{
+    static const struct {
+        const char *text;
+        int before, after;
+    } with[] = {{"sweeps_after = 3\n", 1, 3},
+                {"sweeps_before = 2\n", 2, 1},
+                {"sweeps_before = 0\nsweeps_after = 2\n", 0, 2},
+                {"sweeps_after = 3\n[paper]\nsmoother = hybrid\n", 2, 3}};
+    for (size_t k = 0; k < sizeof with / sizeof *with; k++) {
+        char section[100];
+        ovr_case *c;
+        snprintf(section, sizeof section, "[solver]\n%s", with[k].text);
+        ovr_setup *s = resolved(join(moes, section), &c);
+        assert_int_equal(s->options->sweeps_before, with[k].before);
+        assert_int_equal(s->options->sweeps_after, with[k].after);
+        done(c, s);
+    }
+}
+
 TEST(defaults_are_the_librarys)
 {
     ovr_case *c;
