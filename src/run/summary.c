@@ -366,7 +366,7 @@ static void add_rough_film(const ovr_report_sink *to, const ovr_run_info *s)
     double film_Rq = ovr_simulation_observation(s->sim)->film_Rq;
     add_lambda_ratio(to, s);
     if (s->setup->features) {
-        if (!s->setup->transient)
+        if (!s->setup->transient && isfinite(film_Rq)) /* nodes are inside */
             ovr_report_number(to, "film thickness roughness Rq", 4, film_Rq,
                               "%s", ovr_words_unit("b^2/R", "|X| < 0.75").text);
         ovr_put_rough_film(to, s->predicted, s->setup->contact);
