@@ -230,20 +230,52 @@ shape = wave
 amplitude = 0.2
 wavelength = 0.5
 END
-# predicted ARGUMENTS...: seconds
+# predicted CASE ARGUMENTS...: seconds
 predicted() {
-    expect 0 "$OVERROLL" check begun.ini "$@"
+    expect 0 "$OVERROLL" check "$@"
     awk '/estimated cost/ { print $4 * ($5 ~ /^min/ ? 60 : 1) }' out
 }
-grown=$(predicted)
-flat=$(predicted --set feature.d.amplitude=0.01)
-expect 0 "$OVERROLL" run begun.ini --json
-begun=$(number cycles_total)
-expect 0 "$OVERROLL" run begun.ini --json --set feature.d.amplitude=0.01
-small=$(number cycles_total)
-echo "$grown $flat $begun $small" |
-    awk '{ r = $1 / $2 / ($3 / $4); exit !(r > 0.1 && r < 10) }' ||
-    fail "predicted $grown and $flat s, took $begun and $small cycles"
+# as_cycles FACTOR CASE SETTING [OTHER]: seconds predicted with the setting, and
+# with or without the other, are as the cycles of the runs within a factor.
+count=cycles_total
+as_cycles() {
+    factor=$1 case=$2
+    dear=$(predicted "$case" --set "$3")
+    cheap=$(predicted "$case" ${4:+--set "$4"})
+    expect 0 "$OVERROLL" run "$case" --json -q --force --set "$3"
+    many=$(number "$count")
+    expect 0 "$OVERROLL" run "$case" --json -q --force ${4:+--set "$4"}
+    few=$(number "$count")
+    echo "$dear $cheap $many $few $factor" |
+        awk '{ r = $1 / $2 / ($3 / $4); exit !(r > 1 / $5 && r < $5) }' ||
+        fail "$3: predicted $dear and $cheap s, took $many and $few cycles"
+}
+as_cycles 10 begun.ini feature.d.amplitude=0.2 feature.d.amplitude=0.01
+
+# So is that of a steady solution, which holds the moving wave, and of steps to
+# a given tolerance, in a line contact and in a strip.
+sed '/^\[time\]/,/^end/d' begun.ini >held.ini
+count=cycles
+as_cycles 10 held.ini feature.d.amplitude=0.2 feature.d.amplitude=0.01
+count=cycles_total
+cat >steps.ini <<'END'
+[contact]
+M = 20
+L = 10
+slide_to_roll = 0.5
+[domain]
+level = 5
+[time]
+end = 1
+[feature d]
+shape = dent
+depth = 0.05
+width = 0.6
+start = inlet
+END
+as_cycles 2 steps.ini solver.tolerance=1e-10
+echo '[strip]' >>steps.ini
+as_cycles 2 steps.ini solver.tolerance=1e-10
 
 # The bounds stated for waves on a sliding surface.
 sed 's/= 1 GPa/= 1.6 GPa/; /^\[domain/,$d' begun.ini >waves.ini

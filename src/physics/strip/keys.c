@@ -13,6 +13,7 @@
 
 #include "base/error.h"
 #include "base/rows.h"
+#include "base/team.h"
 #include "multigrid/hierarchy.h"
 #include "overroll/surface.h"
 #include "simulation/conflicts.h"
@@ -144,6 +145,26 @@ size_t ovr_strip_lines(const ovr_strip_form *f, double D)
  * 0.16 us in a step, roughness two to four times as much. */
 static const double STEADY_NODE = 1.2e-6, STEP_NODE = 3e-7, ALONE = 0.3;
 
+static const double CYCLE_NODE = 1.3e-7; /* seconds of a cycle */
+
+static double decades_below(double usual, double tolerance)
+{
+    return tolerance > 0 ? fmax(0, log10(usual / tolerance)) : 0;
+}
+
+/* Cycles of a step to a given tolerance relative to the usual 2.3: 3.9 to 1e-4,
+ * 15 to 1e-10. */
+static double step_work(double tolerance)
+{
+    return 1 + 0.8 * decades_below(1e-3, tolerance);
+}
+
+/* Additional cycles of a steady film to a given tolerance. */
+static double steady_cycles(double tolerance)
+{
+    return 2 * decades_below(1e-7, tolerance);
+}
+
 /* One elimination on a coarsest grid, for each node to the third power; those
  * of a steady film. */
 static const double ELIMINATION = 8e-11, STEADY_ELIMINATIONS = 8;
@@ -183,8 +204,11 @@ ovr_status ovr_strip_on_mesh(const ovr_physics_case *of, void *form, double D,
     int allowed[2], first;
     size_t n, rows;
     double steps = of->end > 0 ? of->end / D : 0;
-    f->seconds = (length / D + 1) * lines * (STEADY_NODE + steps * STEP_NODE) *
-                     (ALONE + (1 - ALONE) / fmax(1, f->threads)) +
+    double node = STEADY_NODE + steady_cycles(o->tolerance) * CYCLE_NODE +
+                  steps * STEP_NODE * step_work(o->tolerance);
+    double threads = fmin(f->threads, ovr_processors());
+    f->seconds = (length / D + 1) * lines * node *
+                     (ALONE + (1 - ALONE) / fmax(1, threads)) +
                  pow(coarsest_nodes(f, length, D, &n, &rows), 3) * ELIMINATION *
                      (STEADY_ELIMINATIONS + steps);
     if (ratio >= LEAST_RATIO && ratio <= LARGEST_RATIO)
