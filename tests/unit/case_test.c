@@ -101,6 +101,33 @@ TEST(values_and_defaults)
     done(c, s);
 }
 
+TEST(scheme_of_starved_steps)
+{
+    static const struct {
+        const char *text;
+        ovr_scheme scheme;
+    } of[] = {
+        {"[contact]\nM = 20\nL = 10\n[supply]\nmodel = film\n"
+         "thickness_1 = 0.02\nthickness_2 = 0.02\n",
+         OVR_CHARACTERISTIC},
+        {"[contact]\nM = 100\nL = 10\n[supply]\nmodel = film\n"
+         "thickness_1 = 0.005\nthickness_2 = 0.005\n",
+         OVR_UPSTREAM2},
+        {"[contact]\nM = 100\nL = 10\n", OVR_CHARACTERISTIC},
+        {"[contact]\nM = 100\nL = 10\n[passes]\nnumber = 2\nloss = 0.1\n",
+         OVR_UPSTREAM2},
+    };
+    for (size_t k = 0; k < sizeof of / sizeof *of; k++) {
+        ovr_case *c;
+        ovr_setup *s = resolved(join(of[k].text,
+                                     "[cavitation]\nmodel = conserving\n"
+                                     "[time]\nend = 1\nstep = 0.025\n"),
+                                &c);
+        assert_int_equal(s->options->scheme, of[k].scheme);
+        done(c, s);
+    }
+}
+
 TEST(words_of_schemes)
 {
     for (int k = 0; ovr_scheme_name((ovr_scheme)k); k++) {

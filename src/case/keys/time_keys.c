@@ -36,7 +36,8 @@ static const ovr_parameter time_keys[] = {
      "discretization in X and T: upstream1 with backward Euler, upstream2 "
      "with BDF2, or narrow second order along the characteristic; auto: "
      "characteristic in runs with step = auto, grid or at most 0.05 b/um "
-     "(0.02 where load, speed or radius vary); upstream2 else"},
+     "(0.02 where load, speed or radius vary; with a limited supply or "
+     "several passes shorter for M > 20); upstream2 else"},
     {"error", PLAIN(1e-9, 0.1), "1e-3", AT(march.error), true,
      IN_TIME "; step = adaptive",
      "relative error of the film thickness due to the time steps during one "
