@@ -190,7 +190,9 @@ typedef struct ovr_sample ovr_sample;
 enum { OVR_SAMPLE_QUANTILES = 7, OVR_SAMPLE_LIMITS = 4 };
 
 typedef struct ovr_sample_row {
-    const char *group; /* "slide_to_roll=0.5", or "" if no other key varies */
+    /* values of the other keys as in file names, "slide_to_roll=0.5", and for
+     * people, "slide_to_roll = 0.5"; "" if no other key varies */
+    const char *group, *label;
     const char *quantity;
     const char *name, *unit; /* full name and unit ("b^2/R", "m" or "") */
     size_t draws, finished, failed, marked;

@@ -95,7 +95,8 @@ OVR_API void ovr_run_free(ovr_run *run);
 /* Discretization errors, estimated from the same case one and two levels
  * coarser. */
 typedef struct ovr_run_error {
-    const char *key; /* "H_cen", ..., "P_max_overall" */
+    const char *key; /* "H_cen", ..., "P_max_overall"; "H_min": the minimum
+                        film thickness interpolated between nodes */
     ovr_unit_kind kind;
     double value[3]; /* values on the finest level and the next coarser ones;
                         NAN: not solved */

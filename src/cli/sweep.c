@@ -110,10 +110,10 @@ static void print_range(const char *name, const int range[2])
 /* Prints the number of samples and how they ended. */
 static void print_counts(const ovr_sample_row *r)
 {
-    printf("%s%s%zu samples: %zu finished, %zu failed, %zu with steps accepted "
+    printf("%zu samples%s%s: %zu finished, %zu failed, %zu with steps accepted "
            "above tolerance",
-           r->group, *r->group ? ": " : "", r->draws, r->finished, r->failed,
-           r->marked);
+           r->draws, *r->label ? " with " : "", r->label, r->finished,
+           r->failed, r->marked);
     print_range("order", r->order);
     print_range("level", r->level);
     putchar('\n');

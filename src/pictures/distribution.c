@@ -150,7 +150,7 @@ static void add_group(drawing *d, size_t group, ovr_panel panel[2],
     }
     ovr_panel_add(
         &panel[0], d->arena,
-        (ovr_series){.label = d->rows > 1 ? d->row[group]->group : NULL,
+        (ovr_series){.label = d->rows > 1 ? d->row[group]->label : NULL,
                      .n = 2 * bins,
                      .x = x,
                      .y = y,

@@ -376,6 +376,7 @@ void ovr_snapshot_draw(ovr_snapshot_chart *to, const ovr_snapshot_style *look,
     const ovr_picture_options *o = look->options;
     size_t columns = o->overlay ? 1 : instants;
     const char *label[OVR_SNAPSHOTS];
+    bool steady = true;
     memset(to, 0, sizeof *to);
     to->chart = (ovr_chart){.title = look->title,
                             .subtitle = look->heading,
@@ -386,9 +387,13 @@ void ovr_snapshot_draw(ovr_snapshot_chart *to, const ovr_snapshot_style *look,
                             .share_x = true,
                             .share_y = true,
                             .panel = to->panel};
+    for (size_t k = 0; k < runs; k++)
+        steady &= ovr_stored_is_steady(snapshot[k].run);
     for (size_t k = 0; k < instants; k++)
         write_time(to->note[k], sizeof to->note[k], look, snapshot[k * runs].T,
-                   about ? about[k] : "");
+                   steady || !about ? "" : about[k]);
+    if (steady && instants)
+        snprintf(to->note[0], sizeof to->note[0], "steady");
     for (size_t k = 0; k < instants * runs; k++)
         label[k] = name_snapshot(to, k, &snapshot[k], o->overlay ? instants : 1,
                                  runs);

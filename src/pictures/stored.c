@@ -158,6 +158,13 @@ const char *ovr_stored_title(const ovr_stored *runs, size_t count,
     return given ? given : runs->info->title;
 }
 
+bool ovr_stored_is_steady(const ovr_stored *run)
+{
+    const ovr_result_info *info = run->info;
+    return info->snapshots == 1 && info->steps <= 1 &&
+           strcmp(info->status, "complete") == 0;
+}
+
 ovr_status ovr_stored_need_snapshots(const ovr_stored *run, ovr_error *err)
 {
     if (run->info->snapshots > 0)

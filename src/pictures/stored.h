@@ -47,6 +47,10 @@ double ovr_stored_hertz_pressure(const ovr_stored *run, size_t k);
  * extreme over the run. */
 const char *ovr_stored_unresolved(const ovr_stored *run, ptrdiff_t k, double z);
 
+/* True for a complete result of a steady film: one snapshot and no time steps.
+ */
+bool ovr_stored_is_steady(const ovr_stored *run);
+
 /* Fails for a result without snapshots: none were stored, or none yet. */
 ovr_status ovr_stored_need_snapshots(const ovr_stored *run, ovr_error *err);
 

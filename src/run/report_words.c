@@ -264,7 +264,9 @@ static ovr_words short_name(const char *name, const char **when)
 static void report_error(const ovr_report_sink *to, const ovr_run_error *e,
                          const ovr_contact *contact)
 {
-    const ovr_quantity_name name = ovr_quantity_named(e->key);
+    /* The key of the interpolated minimum has its short form here. */
+    const ovr_quantity_name name = ovr_quantity_named(
+        strcmp(e->key, "H_min") ? e->key : "H_min_located");
     const char *unit = e->kind == OVR_KIND_HEIGHT   ? "nm"
                        : e->kind == OVR_KIND_LENGTH ? "um"
                                                     : "MPa";

@@ -18,6 +18,7 @@
 #include "run/csv.h"
 #include "run/internal.h"
 #include "run/study_table.h"
+#include "run/summary_lines.h"
 
 enum { QUANTITIES = 32, NAME_CAPACITY = 400 };
 
@@ -291,6 +292,21 @@ static const char *group_name(sampling *w, size_t from)
     return name;
 }
 
+/* Returns the values of the other keys, "mean_speed = 1 m/s, load = 20 kN/m".
+ */
+static const char *group_label(sampling *w, size_t from)
+{
+    ovr_words label = {""};
+    for (size_t i = 0; i < w->s->keys; i++) {
+        const ovr_study_key *key = &w->s->key[i];
+        char value[OVR_STUDY_VALUE];
+        if (!key->fixed && !key->random)
+            ovr_words_add(&label, "%s%s = %s", *label.text ? ", " : "",
+                          key->shown, ovr_study_value(w->s, key, from, value));
+    }
+    return ovr_arena_text(&w->to->arena, label.text, w->err);
+}
+
 static ovr_status compute_row(sampling *w, size_t row, size_t group,
                               const ovr_table_column *of)
 {
@@ -303,11 +319,12 @@ static ovr_status compute_row(sampling *w, size_t row, size_t group,
     *r = (ovr_sample_row){.draws = draws};
     r->mean = r->sd = r->error = r->factor = NAN;
     r->group = group_name(w, from);
+    r->label = group_label(w, from);
     r->quantity = ovr_arena_text(&w->to->arena, of->name, w->err);
     const ovr_quantity_name name = ovr_quantity_named(of->name);
     r->name = ovr_arena_text(&w->to->arena, name.text, w->err);
     r->unit = name.unit;
-    if (!r->group || !r->quantity || !r->name)
+    if (!r->group || !r->label || !r->quantity || !r->name)
         status = OVR_NO_MEMORY;
     if (!status) {
         count_states(w, from, r);

@@ -158,6 +158,11 @@ expect 0 "$OVERROLL" plot dent.h5 deep.h5 -o worst.svg --script worst.gp
 contains worst.gp "T = $at: p max of deep.h5"
 contains worst.gp "h min of deep.h5"
 contains worst.gp "^title = ''"
+printf '[contact]\nM = 20\nL = 10\n[domain]\nlevel = 4\n' >steady.ini
+expect 0 "$OVERROLL" run steady.ini -o steady.h5 -q
+expect 0 "$OVERROLL" plot steady.h5 -o steady.svg --script steady.gp
+contains steady.gp "'steady'"
+grep -q 'p max' steady.gp && fail 'a steady film has a time of p max'
 contains ph.gp '\{/:Italic p\}_h = '
 expect 0 "$OVERROLL" plot dent.h5 --kind map --field pressure --p-max 0.5 \
     -o clip.svg

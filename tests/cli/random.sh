@@ -185,7 +185,7 @@ cmp few/*draw-0007.ini many/*draw-0007.ini || fail 'draw 7 depends on others'
 # the same draws in each case of [product]
 expect 0 "$OVERROLL" sweep plain.ini -q
 expect 0 "$OVERROLL" sweep plain.ini --statistics --quantity hertz_pressure_Pa
-contains out '^mean_speed=1m~s: 40 samples: 40 finished'
+contains out '^40 samples with mean_speed = 1 m/s: 40 finished'
 contains out '^maximum Hertzian pressure p_h, GPa .hertz_pressure_Pa.$'
 [ "$(grep -c '^mean ' out)" -eq 2 ] || fail "$(cat out)"
 [ "$(grep '^mean ' out | sort -u | wc -l)" -eq 1 ] ||

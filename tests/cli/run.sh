@@ -169,7 +169,7 @@ contains out '^maximum pressure .* p_h .* \([0-9.]+ GPa at -?[0-9.]+ um\)$'
 contains out '^load integral +1\.57.* 100 kN/m'
 contains out '^mass flow rate .* mm2/s'
 contains out '^minimum film thickness .* \([0-9.]+ um at .* um, [0-9.]+ ms\)$'
-contains out '^minimum film thickness at a node +[0-9.e-]+ +% +.*nm.$'
+contains out '^minimum film thickness +[0-9.e-]+ +% +.[0-9.e-]+ nm.$'
 contains out '^maximum pressure +[0-9.e-]+ +% +\([0-9.e-]+ MPa, over the run\)$'
 contains out '^estimated .* .from level 3 and the next coarser, time steps'
 expect 0 "$OVERROLL" info physical.h5
