@@ -224,14 +224,14 @@ typedef struct ovr_setup {
 typedef struct ovr_station {
     char name[24];
     double T; /* time from the start in b/u_m; NAN for bearings */
-    ovr_element_moment
-        moment;        /* its time t is relative to the start of the run */
-    double pressure;   /* maximum Hertzian pressure, Pa */
-    double half_width; /* m */
-    double central, minimum; /* film thickness by the fitted formula, m; NAN:
-                                outside its range */
-    double flash;            /* flash temperature by Blok's formula with
-                                OVR_STATION_FRICTION, K */
+    ovr_element_moment moment; /* state of the contact; time t is relative to
+                                  the start of the run */
+    double pressure;           /* maximum Hertzian pressure, Pa */
+    double half_width;         /* m */
+    double central, minimum;   /* film thickness by the fitted formula, m; NAN:
+                                  outside its range */
+    double flash;              /* flash temperature by Blok's formula with
+                                  OVR_STATION_FRICTION, K */
 } ovr_station;
 #define OVR_STATION_FRICTION 0.05
 enum { OVR_STATIONS_MAX = 64 };

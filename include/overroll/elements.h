@@ -56,10 +56,10 @@ typedef struct ovr_gear_form {
     double tip_1, tip_2; /* tip diameters, m; NAN: by the addendum with standard
                             clearance */
     double face;         /* common width, m */
-    double speed;        /* of gear 1, rad/s */
+    double speed;        /* angular speed of gear 1, rad/s */
     int driving;   /* driving gear, 1 or 2; determines the direction along the
                       path of contact */
-    double torque; /* on gear 1, N m */
+    double torque; /* torque on gear 1, N m */
     ovr_gear_sharing sharing;
     double blend; /* length in base pitches over which the load of a pair
                      changes at B and D; 0: the load jumps */

@@ -153,7 +153,7 @@ typedef struct ovr_frames_options {
     const char *form;   /* "png" (NULL), "svg", "pdf" */
     size_t every;       /* interval of snapshots; 0: all snapshots */
     int workers;        /* number of gnuplot processes; 0: one per core */
-    bool scripts;       /* also write script and data of each frame */
+    bool scripts;       /* script and data of each frame are written */
     const char *movie;  /* NAME.mp4, .webm, .gif or .webp; NULL: none */
     double rate;        /* frames per second of the movie; 0: 25 */
     /* Called after each frame; false stops with OVR_STOPPED. May be NULL. */

@@ -53,10 +53,11 @@ typedef struct ovr_profile_source {
     const char *unit_x; /* "um", "mm", ..., "b"; NULL: specified in the file */
     const char
         *unit_z;    /* "um", "nm", ..., "b^2/R"; NULL: specified in the file */
-    double spacing; /* of a single column z, metres; NAN: none */
+    double spacing; /* distance between points of a single column z, metres;
+                       NAN: none */
     double spacing_across; /* between the rows of a map without spacings,
                               metres; NAN: spacing */
-    bool spacing_scaled;   /* both are in b, not metres */
+    bool spacing_scaled;   /* both spacings are in b, not metres */
     int column_x;          /* counted from 1; 0: by the header */
     int column_z;
     /* The line of an areal file: at most one of the first four; default: the
@@ -115,21 +116,21 @@ typedef struct ovr_conditioning {
     double from, to;     /* window in x */
     double scale;        /* factor on heights; default 1 */
     bool invert;         /* change the sign of heights */
-    double stretch;      /* of lengths, 1 */
+    double stretch;      /* factor on lengths; default 1 */
     bool reverse;        /* x runs the other way */
     double max_gap;      /* longest gap to fill; NAN: 5 % of the length */
-    double max_missing;  /* largest missing fraction, 0.2 */
+    double max_missing;  /* largest missing fraction; default 0.2 */
     double outliers;     /* points further than this many robust standard
                             deviations from the median of their
                             neighbours are replaced */
-    ovr_levelling level; /* line */
-    int degree;          /* of the polynomial, 2 */
+    ovr_levelling level; /* by default a line */
+    int degree;          /* degree of the fitted polynomial; default 2 */
     double lambda_c;     /* high-pass Gaussian cut-off (waviness removed) */
     double lambda_s;     /* low-pass Gaussian cut-off (noise removed) */
     double offset;       /* added after levelling */
     double taper; /* length of the blend into the smooth surface at each end;
                      NAN: 5 % of the length */
-    ovr_extension extend; /* none */
+    ovr_extension extend; /* by default none */
     /* For areal surfaces only. */
     bool turn; /* exchange rows and columns, so that y is along rolling */
     double from_across, to_across; /* window in y */

@@ -150,7 +150,7 @@ typedef struct ovr_sensitivity_options {
                          sizes of features */
     int workers;      /* simultaneous runs; 0: 1 */
     bool steady;      /* only the steady contact */
-    bool estimate;    /* also one level coarser */
+    bool estimate;    /* repeat on the next coarser level for comparison */
     void *data;
     ovr_listener *say;
     bool (*stop)(void *data);
@@ -190,8 +190,8 @@ typedef struct ovr_sample ovr_sample;
 enum { OVR_SAMPLE_QUANTILES = 7, OVR_SAMPLE_LIMITS = 4 };
 
 typedef struct ovr_sample_row {
-    /* values of the other keys as in file names, "slide_to_roll=0.5", and for
-     * people, "slide_to_roll = 0.5"; "" if no other key varies */
+    /* Values of the other keys as in file names, "slide_to_roll=0.5", and for
+     * people, "slide_to_roll = 0.5"; "" if no other key varies. */
     const char *group, *label;
     const char *quantity;
     const char *name, *unit; /* full name and unit ("b^2/R", "m" or "") */

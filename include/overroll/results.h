@@ -29,7 +29,7 @@ enum { OVR_FIELDS_DEFAULT = 7 };
 /* One parameter of the case, stored as an attribute of the group `case`. */
 typedef struct ovr_case_value {
     const char *name; /* "contact.M" */
-    const char *text; /* as in a case file: "20", "22 1/GPa" */
+    const char *text; /* value as in a case file: "20", "22 1/GPa" */
     double number; /* value in SI or without a unit; NAN: the text is stored */
     const char *unit; /* SI unit of the number, or NULL */
     bool physics;     /* the value affects the solution, so that resuming with
@@ -101,7 +101,7 @@ typedef struct ovr_result_info {
     double seconds;       /* wall-clock time, once the run has ended */
     size_t nodes;         /* stored nodes along x */
     size_t lines;         /* lines of a strip; 1: a line contact */
-    double width;         /* of a strip, b; 0: a line contact */
+    double width;         /* width of a strip, b; 0: line contact */
     size_t snapshots;     /* complete rows */
     size_t steps;         /* rows of history */
     const char *warnings; /* warnings, one per line, or "" */
@@ -121,8 +121,9 @@ typedef struct ovr_variable {
     double scale;       /* SI value of a dimensionless 1; NAN: unknown */
     ovr_unit_kind kind; /* OVR_KINDS: unknown to this version */
     const char *path;   /* "pressure", "history/load" */
-    int rank;           /* number of dimensions, and their lengths; */
-    size_t shape[OVR_MAX_RANK]; /* the first is the number of complete rows */
+    int rank;           /* number of dimensions */
+    /* Lengths of the dimensions; the first is the number of complete rows. */
+    size_t shape[OVR_MAX_RANK];
 } ovr_variable;
 
 /* Returns a variable by its path, or NULL. */
@@ -151,7 +152,7 @@ OVR_API const ovr_variable *ovr_result_column(const ovr_result *result,
 /* An input file named in the case; several keys may name the same file. */
 typedef struct ovr_result_input {
     const char *key;    /* first key that names it: "feature scratch.file" */
-    const char *name;   /* as written in the case */
+    const char *name;   /* file name as written in the case */
     const char *sha256; /* hexadecimal; "" if it was not an ordinary file */
     double bytes;       /* size; NAN: unknown */
     bool kept;          /* the result file contains a copy */

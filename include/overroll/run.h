@@ -95,14 +95,14 @@ OVR_API void ovr_run_free(ovr_run *run);
 /* Discretization errors, estimated from the same case one and two levels
  * coarser. */
 typedef struct ovr_run_error {
-    const char *key; /* "H_cen", ..., "P_max_overall"; "H_min": the minimum
-                        film thickness interpolated between nodes */
+    const char *key; /* "H_cen", ..., "P_max_overall"; "H_min" is interpolated
+                        between nodes */
     ovr_unit_kind kind;
     double value[3]; /* values on the finest level and the next coarser ones;
                         NAN: not solved */
     double error;    /* error of value[0], dimensionless; NAN: unknown */
     double order;    /* observed order of convergence; NAN: unknown */
-    bool converges;  /* otherwise a warning is given and the error is unknown */
+    bool converges;  /* false: a warning is printed and the error is unknown */
 } ovr_run_error;
 enum { OVR_RUN_ERRORS = 8 };
 typedef struct ovr_run_errors {
@@ -115,8 +115,8 @@ typedef struct ovr_run_errors {
  * are in b^2/R; NAN: no prediction. Rq is the maximum over time of the
  * roughness in |X| < OVR_ROUGH_WINDOW. */
 typedef struct ovr_rough_film {
-    double Rq;      /* of the undeformed surfaces */
-    double film_Rq; /* of the film thickness in the contact */
+    double Rq;      /* roughness of the undeformed surfaces */
+    double film_Rq; /* roughness of the film thickness in the contact */
     double H_min;   /* minimum film thickness; also NAN if the reduced roughness
                        is as high as the film */
     const char *why; /* reason why there is no prediction, or NULL */
@@ -135,7 +135,7 @@ typedef struct ovr_run_info {
     double seconds;     /* wall-clock time until the file is closed */
     size_t snapshots;   /* number of snapshots, known once the file is closed */
     const ovr_run_errors *error;
-    const ovr_stress_report *stress[2]; /* of surface 1, 2; NULL: none */
+    const ovr_stress_report *stress[2]; /* surfaces 1 and 2; NULL: none */
     int warnings;                       /* number of warnings, for reports */
     const char *const *warning;
     double lambda_ratio; /* mean film thickness in |X| < 3/4 and over the run
@@ -172,7 +172,8 @@ typedef enum ovr_summary_form {
     OVR_SUMMARY_TEXT,
     OVR_SUMMARY_WORDS, /* text for reports: a label (NULL: a title) and a text
                         */
-    OVR_SUMMARY_WORDS_BEHIND /* the same with a number before the text */
+    OVR_SUMMARY_WORDS_BEHIND /* as OVR_SUMMARY_WORDS, with a number before the
+                                text */
 } ovr_summary_form;
 /* Width of the column of labels in reports. */
 enum { OVR_LABEL_WIDTH = 38 };
@@ -232,8 +233,8 @@ OVR_API ovr_status ovr_result_unpack(const char *path, const char *folder,
                                      bool force, ovr_listener *listener,
                                      void *data, ovr_error *err);
 
-/* Passes lines about a prepared setup before it is solved: contact, film
- * thickness formulas, features, grid and cost. `live` is the memory of the
+/* Passes lines about an unsolved setup to `take`: contact, film thickness
+ * formulas, features, grid and cost. `live` is the memory of the
  * setup in bytes, which is added to the memory of the run. */
 OVR_API ovr_status ovr_setup_report(const ovr_setup *setup, double live,
                                     ovr_summary_taker *take, void *data,
@@ -289,7 +290,7 @@ typedef enum ovr_sweep_state {
     OVR_SWEEP_RUNNING,  /* another process runs it */
     OVR_SWEEP_FINISHED, /* finished, the summary is available */
     OVR_SWEEP_FAILED,
-    OVR_SWEEP_CHANGED, /* its files are those of another case */
+    OVR_SWEEP_CHANGED, /* the existing files belong to another case */
     OVR_SWEEP_STATES
 } ovr_sweep_state;
 OVR_API const char *ovr_sweep_state_name(ovr_sweep_state state);

@@ -40,7 +40,7 @@ OVR_API const char *ovr_scheme_name(ovr_scheme scheme);
 typedef enum ovr_smoother {
     OVR_LINE,   /* distributive line relaxation */
     OVR_HYBRID, /* smoother of the paper: Gauss-Seidel and Jacobi dipole */
-    OVR_GAUSS_SEIDEL, /* one part of the paper's smoother only */
+    OVR_GAUSS_SEIDEL, /* Gauss-Seidel part of the paper's smoother only */
     OVR_DIPOLE
 } ovr_smoother;
 
@@ -96,7 +96,8 @@ typedef struct ovr_options {
     int max_cycles; /* steady solutions: maximum per refinement; 0: automatic */
     int cycles;     /* number of cycles with OVR_STOP_FIXED; paper: 2 */
     ovr_stop stop;
-    double tolerance; /* of the residual R and the load error; 0: automatic */
+    double tolerance; /* tolerance of the residual R and the load error; 0:
+                         automatic */
     int mlmi_order;   /* even, 4 to 16; 0: chosen by the required accuracy */
     int mlmi_range;   /* range of corrections in mesh sizes; 0: as mlmi_order */
     double switch_value; /* hybrid: eps/D^2 above which Gauss-Seidel is used;
@@ -209,7 +210,7 @@ typedef struct ovr_observation {
         X_min_located; /* interpolated by a parabola through three nodes */
     double H_min_cavity,
         X_min_cavity; /* in cavitated regions; NAN: not smaller than H_min */
-    double H_cen;     /* at X = 0, cubic interpolation */
+    double H_cen;     /* film thickness at X = 0, by cubic interpolation */
     double film_Rq;   /* root mean square of rho H about its mean in |X| <
                          OVR_ROUGH_WINDOW, relative to the mean density; NAN:
                          smooth surfaces */
@@ -226,7 +227,7 @@ typedef struct ovr_observation {
                               spike */
     double H0;
     double load;         /* integral of P */
-    double load_error;   /* relative to the reference load */
+    double load_error;   /* load error relative to the reference load */
     double load_ratio;   /* Cw */
     double speed_ratio;  /* Cu */
     double sliding;      /* V = (u1 - u2)/um0 */
@@ -245,7 +246,7 @@ typedef struct ovr_observation {
     double mu_1, mu_2, mu_slide,
         mu_roll;     /* relative to the load; NAN if b/R is unknown */
     double power_in; /* mechanical power input by the surfaces, u_m p_h b^2/R */
-    double power_dissipated; /* dissipated in the film */
+    double power_dissipated; /* power dissipated in the film */
     double limiting_share;   /* load share carried where the shear stress is at
                                 its limit */
     /* Heat; NAN without [heat]. Maximum temperatures of film and surfaces in
@@ -257,8 +258,8 @@ typedef struct ovr_observation {
     double T_2_max, X_T_2_max, T_2_max_rise;
     double heat_flow_1, heat_flow_2, energy_defect;
     double residual; /* relative mass-flow imbalance R */
-    int order;      /* of the step: that of the run, or 2 without corrections */
-    int cycles;     /* multigrid cycles of this step */
+    int order;  /* order of the step: as in the run, or 2 without corrections */
+    int cycles; /* multigrid cycles of this step */
     int retries;    /* number of repeated attempts */
     int maxima;     /* number of maxima of P, as defined at P_spike */
     bool converged; /* R and load error below tolerance */
@@ -322,7 +323,7 @@ ovr_simulation_refinements(const ovr_simulation *sim, int *count);
 /* Axes along which a quantity varies. */
 typedef enum ovr_axes {
     OVR_AT_STEPS,   /* one number per step: a column of the history */
-    OVR_AT_NODES,   /* along x */
+    OVR_AT_NODES,   /* one number per node */
     OVR_AT_HALVES,  /* at the half nodes; files contain means at the nodes */
     OVR_AT_DEPTHS,  /* along x, for each depth */
     OVR_AT_MATERIAL /* along a moving surface, for each depth */
@@ -365,10 +366,10 @@ typedef struct ovr_observable {
     const char *key;       /* "H_min_located", key in JSON; NULL: not in JSON */
     const char *key_si;    /* key of the value in SI; NULL: none */
     const char *long_name; /* the name of the quantity */
-    const char *comment;   /* its definition, in files (CF); or NULL */
+    const char *comment;   /* definition in result files (CF), or NULL */
     ovr_unit_kind kind;
     ovr_axes axes;
-    size_t offset; /* of a number in ovr_observation */
+    size_t offset; /* offset of a number in ovr_observation */
     /* Returns the current values of a field at all nodes (one less at half
      * nodes), either stored elsewhere or in `workspace`, which has space for
      * them. */

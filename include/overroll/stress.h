@@ -59,7 +59,7 @@ typedef struct ovr_stress ovr_stress;
 typedef struct ovr_stress_row {
     double z;
     int level;          /* step = 2^level D */
-    double start, step; /* of X, including the shift */
+    double start, step; /* first X, with the shift; distance of values */
     size_t count;
     const float *shear, *mean;
 } ovr_stress_row;
@@ -89,7 +89,7 @@ typedef struct ovr_moment {
     double U;  /* distance travelled by the surface since T = 0, b */
     double dU; /* maximum relative displacement of surfaces and film since the
                   previous time */
-    int direction;  /* of the surface's motion: 1 or -1 */
+    int direction;  /* direction of the surface's motion: 1 or -1 */
     bool disturbed; /* a feature is within |X| < 2 (begin, end) */
 } ovr_moment;
 

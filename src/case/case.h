@@ -18,12 +18,12 @@ typedef struct ovr_slot {
     const char *key;
     bool given;
     bool stored;      /* read from the text in a result file */
-    const char *text; /* as given, or the default; NULL: neither */
+    const char *text; /* value as given, or the default; NULL: neither */
     const char *file; /* file or other origin */
     long line;        /* line number; 0: not from a file */
     long replaces;    /* line of the file whose setting this one replaces */
     double number;    /* in SI or without a unit; the value of a word */
-    const char *unit; /* as written; NULL: none, or a word */
+    const char *unit; /* unit as written; NULL for none and for words */
     bool word;
     ovr_list list;
     unsigned bits;
@@ -33,7 +33,7 @@ typedef struct ovr_block {
     const ovr_section *section;
     size_t first;     /* index of its first row among the rows of all
                        * sections */
-    const char *name; /* of a feature; otherwise NULL */
+    const char *name; /* name of a feature; otherwise NULL */
     long line;        /* line of its header; 0: none */
     size_t count;     /* number of slots, one per row of the section */
     ovr_slot *slots;

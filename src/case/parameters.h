@@ -31,7 +31,7 @@ const ovr_parameter *ovr_parameter_find(const ovr_section *section,
  * for. */
 typedef struct ovr_symbol {
     const char *section, *key;
-    const char *name; /* of the quantity */
+    const char *name; /* name of the quantity */
     const char *path; /* "section.key" */
 } ovr_symbol;
 

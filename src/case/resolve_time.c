@@ -252,8 +252,8 @@ ovr_status ovr_resolve_time(ovr_resolved *r, ovr_error *err)
 
 static const double LATEST = 1e5; /* b/u_m, limit as for a given end */
 
-/* A film is steady if its pressure changes by less than this per b/u_m,
- * relative to p_h; far below the discretization error. */
+/* Maximum pressure change of a steady film per b/u_m, relative to p_h; far
+ * below the discretization error. */
 static const double NEARLY = 1e-5;
 
 static ovr_status refuse(const ovr_slot *end, const ovr_feature_info *f,

@@ -61,9 +61,9 @@ typedef struct ovr_settings {
     double accuracy; /* target with level = auto */
     int accuracy_of;
     ovr_march march;
-    double step; /* of [time] */
+    double step; /* time step set in [time] */
     ovr_change load, speed, sliding, radius, radius_1;
-    int curvature; /* of [radius], see below */
+    int curvature; /* value of `curvature` in [radius], see below */
     ovr_passes_setup passes;
     ovr_output output;
     int precision;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Queries of a setup by the layers above. */
+/* Functions of a setup (overroll/case.h) for the program, not exported. */
 #ifndef OVR_CASE_SETUP_H
 #define OVR_CASE_SETUP_H
 

@@ -45,7 +45,7 @@ typedef struct cli_call cli_call;
 typedef struct cli_verb {
     const char *name;
     const char *arguments; /* "CASE [-o OUT.h5]" */
-    const char *summary;   /* one line */
+    const char *summary;   /* description of one line */
     const char *help;      /* paragraphs for `overroll help NAME`, or NULL */
     const cli_option *options; /* ends with name NULL; may be NULL */
     int minimum, maximum;      /* allowed number of positional arguments */

@@ -14,7 +14,7 @@
 
 /* A number for an option; without unit only for a profile in b. */
 typedef struct size {
-    const char *name; /* of the option */
+    const char *name; /* name of the option */
     ovr_length length;
     bool given;
 } size;

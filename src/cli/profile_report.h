@@ -20,7 +20,7 @@ typedef struct profile_report {
     size_t missing;             /* number of missing heights in the file */
     ovr_areal *map;             /* map of an areal file; NULL: none */
     ovr_areal_numbers areal;    /* parameters of the map */
-    const ovr_contact *contact; /* of --case, or NULL */
+    const ovr_contact *contact; /* contact of --case, or NULL */
 } profile_report;
 
 /* Returns the parameters of the profile that is used for the dry contact. */

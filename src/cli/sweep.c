@@ -216,7 +216,7 @@ typedef struct sweeping {
     ovr_study *s;
     ovr_sweep_options how;
     cli_progress progress;
-    cli_call logged; /* its messages are written to the case's log */
+    cli_call logged; /* writes messages to the log of the case */
     cli_watch watch;
     ovr_run_options run;
     double begun;

@@ -8,7 +8,7 @@
 /* Values of the keys of a history section (contact/history_keys.h). */
 typedef struct ovr_change {
     ovr_history_form form; /* without the points of a table */
-    const char *file;      /* of the table */
+    const char *file;      /* file of the table */
     int time_unit;
 } ovr_change;
 

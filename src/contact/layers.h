@@ -93,8 +93,8 @@ double ovr_images_softness(const ovr_images *images, double k);
 /* Dry contact with half-width a, in the unit of the depths. */
 typedef struct ovr_layered_hertz {
     double stiffness; /* e */
-    double pressure;  /* at X = 0, relative to the Hertzian pressure for this
-                       * stiffness */
+    double pressure; /* pressure at X = 0, relative to the Hertzian pressure for
+                        this stiffness */
 } ovr_layered_hertz;
 ovr_layered_hertz ovr_images_dry(const ovr_images *images, double a);
 
@@ -117,8 +117,8 @@ ovr_layered_hertz ovr_images_dry(const ovr_images *images, double a);
  */
 typedef struct ovr_warmed {
     int layers;
-    double effusivity[OVR_LAYERS_MAX +
-                      1]; /* of the layers, then of the substrate */
+    double effusivity[OVR_LAYERS_MAX + 1]; /* effusivities of the layers, then
+                                              of the substrate */
     double tau[OVR_LAYERS_MAX];
 } ovr_warmed;
 

@@ -31,7 +31,8 @@ typedef struct ovr_oil {
     double viscosity;              /* eta0 at that temperature, Pa s */
     double alpha;                  /* pressure-viscosity coefficient, 1/Pa */
     double p0, z;                  /* Roelands: p0 in Pa, z dimensionless */
-    double tait_K0, tait_K0_slope; /* at that temperature: Pa; dimensionless */
+    double tait_K0, tait_K0_slope; /* Tait's K_0 in Pa and K' (dimensionless) at
+                                      this temperature */
     double doolittle_B, doolittle_R0;
     ovr_yasutomi yasutomi;  /* A2, b1 in 1/Pa; T is the temperature of the case
                              */

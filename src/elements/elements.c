@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Functions for gears, cams and bearings: checks of their numbers, and Blok's
- * flash temperature (formula and source in the header). */
+/* Checks the input values of gears, cams and bearings, and computes Blok's
+ * flash temperature (formula and source in elements.h). */
 #include <math.h>
 
 #include "base/error.h"

@@ -30,7 +30,7 @@ typedef struct ovr_sampling {
     ovr_design design;
     uint64_t seed;
     size_t draws;
-    const char *const *key; /* one per dimension */
+    const char *const *key; /* names of the keys, one per dimension */
     size_t keys;
     size_t shifts; /* Sobol: draw i is point i/shifts of replicate i%shifts, so
                       that a larger sample contains the smaller one. */

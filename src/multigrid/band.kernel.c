@@ -93,7 +93,8 @@ static inline void advance(chain *c, row r)
 typedef struct reduced {
     double D[4][VEC], left[4][2][VEC], right[4][2][VEC];
     double first[2][VEC + 1]; /* solution; 0 after the last partition */
-    double last[2][VEC + 1];  /* of partition s at s + 1, 0 at 0 */
+    double last[2][VEC + 1];  /* solution; partition s at index s + 1, zero at
+                                 index 0 */
 } reduced;
 
 static inline void end_chain(const chain *c, reduced *out)

@@ -317,7 +317,8 @@ ovr_status ovr_composite_add(ovr_composite *c, ovr_window window,
 
 /* -------------------------------------------------------------------- film */
 
-/* Computes film, residual and phase from P of a patch. */
+/* Computes film thickness, residual and phase (pressurized or cavitated) of a
+ * patch from its pressure. */
 static void refresh(ovr_composite *c, ovr_patch *patch)
 {
     ovr_patch_write(c->grids, patch);

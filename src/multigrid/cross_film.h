@@ -83,9 +83,10 @@ void ovr_cross_film_move(const ovr_cross_film *from, const double *T,
 /* Values of the film at a node. */
 typedef struct ovr_sheet {
     double H, rho, P, P_X, P_T;
-    double log_eta; /* at T0 */
+    double log_eta; /* ln eta at T0 */
     double lambda, V, u1;
-    double Sigma0; /* of Eyring's or another law; INFINITY: Newtonian */
+    double Sigma0; /* reference stress of Eyring's or another law; INFINITY:
+                      Newtonian */
     double limit;  /* maximum of |t| + |G_P|; INFINITY: none */
     bool wet;
     const ovr_flow_law *law; /* tabulated law; NULL: Newtonian or Eyring */
@@ -94,7 +95,7 @@ typedef struct ovr_sheet {
 /* Flow in the film for given temperatures T. */
 typedef struct ovr_cross_film_flow {
     double m[3], mean;                  /* m_k; T_m */
-    double log_eta;                     /* at T_m */
+    double log_eta;                     /* ln eta at T_m */
     double t;                           /* mean shear stress */
     bool limited;                       /* t is at its limit */
     double even;                        /* t_0, mean stress of a film with
@@ -143,7 +144,7 @@ typedef struct ovr_columns {
     const ovr_flow_law *law;
     const double *X, *P, *H, *q;            /* H without solid layers: q = rho H
                                              */
-    const double *log_eta;                  /* at T0 */
+    const double *log_eta;                  /* ln eta at T0 */
     const double *used[OVR_CROSS_FILM_MAX]; /* T for which the flow was computed
                                              */
     /* results: flow, and gamma */

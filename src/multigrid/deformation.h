@@ -91,7 +91,7 @@ typedef struct ovr_mlmi {
     ptrdiff_t pad;               /* vectors reserved before and after P and w */
     double weight[OVR_MLMI_MAX]; /* interpolation from +-1, +-3, ... */
     ovr_mlmi_grid grid[OVR_MLMI_DEPTH + 1];
-    double *kernel;           /* of the dense sum, D/pi (f + ln D) */
+    double *kernel;           /* kernel of the dense sum, D/pi (f + ln D) */
     double *natural, *result; /* coarsest grid in the order of the nodes */
 } ovr_mlmi;
 

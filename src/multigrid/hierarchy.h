@@ -32,8 +32,8 @@
 typedef struct ovr_grid {
     size_t n;
     double D;     /* mesh size */
-    double X_a;   /* of node 0 */
-    double *X;    /* of all nodes, after ovr_grid_fill */
+    double X_a;   /* X of node 0 */
+    double *X;    /* X of all nodes, set by ovr_grid_fill */
     size_t first; /* parent's node at the position of node 0 */
 } ovr_grid;
 
@@ -110,7 +110,8 @@ typedef struct ovr_asperity {
                                   * pressurized on trial */
     int rising; /* number of consecutive steps in which cavitated nodes should
                  * become pressurized */
-    int failures, omitted; /* of GMRES with the elastic band (tripoles.h) */
+    int failures, omitted; /* numbers of failed and omitted solves by GMRES with
+                              the elastic band (tripoles.h) */
     struct ovr_tripoles *tripoles;
     bool lifted; /* `lifted`: some film thickness exceeds that of its pressures
                   * (mixed_contact.h) */

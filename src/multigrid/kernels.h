@@ -35,9 +35,9 @@ typedef struct ovr_fluid {
                                 * lubricant's */
     double sliding;            /* V = (u1 - u2)/um */
     bool by_gap;               /* means harmonic in H^3 (faces.h) */
-    bool logarithmic;          /* and logarithmic in 1/eta */
+    bool logarithmic;          /* means also logarithmic in 1/eta */
     bool secants;              /* secants as lower bounds of the derivatives */
-    const struct ovr_flow_factor *factor; /* of rough surfaces; NULL: 1 */
+    const struct ovr_flow_factor *factor; /* NULL: smooth, factor 1 */
 } ovr_fluid;
 
 /* eps for film thickness H and pressure P. */
@@ -46,8 +46,8 @@ double ovr_flow(const ovr_fluid *fluid, double P, double H);
 /* Coefficients of the discrete Reynolds equation on one grid, see reynolds.h.
  */
 typedef struct ovr_weights {
-    double a[3];     /* of q_i, q_{i-1}, q_{i-2} */
-    double first[3]; /* in row 1 */
+    double a[3];     /* coefficients of q_i, q_{i-1}, q_{i-2} */
+    double first[3]; /* coefficients in row 1 */
     double half;     /* 1/(2 D^2) */
     double hold;     /* threshold of r relative to q below which a cavitated
                       * node stays cavitated */

@@ -39,7 +39,7 @@ typedef struct window {
     ovr_fields f;
     double values[OVR_FIELD_COUNT][NODES], heat[HEATED][NODES];
     double gap[NODES];       /* film thickness without this window's changes */
-    double change[UNKNOWNS]; /* of P */
+    double change[UNKNOWNS]; /* change of P */
     double matrix[UNKNOWNS * STRIDE], solution[UNKNOWNS];
 } window;
 
@@ -77,7 +77,7 @@ static double outflow(const ovr_level *level, const double *flow, ptrdiff_t i)
 
 static void find(const ovr_hierarchy *grids, const ovr_level *level, windows *s)
 {
-    const double minimum = 0.1; /* of p_h */
+    const double minimum = 0.1; /* relative to p_h */
     double *r = grids->band.b[0], *flow = grids->band.b[1];
     double stiff = level->weights.a[0] * fabs(level->k[0]);
     ptrdiff_t edge = HALF + MARGIN + 1, n = (ptrdiff_t)level->grid.n;

@@ -129,8 +129,8 @@ void ovr_modes_past(const ovr_modes_look *look);
 typedef struct ovr_modes_step {
     const ovr_departures *departures;
     const ovr_spread *spread;
-    const double *fade, *now, *before; /* by modes */
-    const double *q, *q_before;        /* at the nodes */
+    const double *fade, *now, *before; /* coefficients of each mode */
+    const double *q, *q_before; /* present and previous values at the nodes */
 } ovr_modes_step;
 
 #endif

@@ -28,7 +28,7 @@ typedef struct table16 {
 
 typedef struct log_table {
     table16 center;        /* z log2(1/c) */
-    double coefficient[8]; /* of z log2(1 + r)/r */
+    double coefficient[8]; /* polynomial coefficients of z log2(1 + r)/r */
     double z;
 } log_table;
 

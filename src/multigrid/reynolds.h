@@ -40,8 +40,8 @@
 /* Coefficients of wedge and time derivative, the same on every grid. */
 typedef struct ovr_operator {
     double w[3];       /* wedge weights times Cu */
-    double w_first[2]; /* in row 1 */
-    double cT;         /* of q_i, 1/T */
+    double w_first[2]; /* wedge weights in row 1 */
+    double cT;         /* coefficient of q_i in the time derivative, 1/T */
     double speed;      /* Cu */
     bool transient;
     bool characteristic;

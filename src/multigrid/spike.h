@@ -32,7 +32,8 @@ typedef struct ovr_spike_search {
 } ovr_spike_search;
 
 typedef struct ovr_spike_found {
-    int level;     /* of the finest patch; the base's where none fits */
+    int level;     /* level of the finest patch, or of the base grid if no patch
+                      fits */
     double D;      /* mesh size of the finest patch */
     double P, X;   /* height (nodal value; NAN without a maximum) and position
                     */

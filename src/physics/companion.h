@@ -19,13 +19,13 @@
 typedef struct ovr_accompanied_run {
     const ovr_setup *setup;
     ovr_simulation *sim;
-    ovr_arena *arena;   /* of the run */
+    ovr_arena *arena;   /* arena of the run */
     ovr_writer *writer; /* NULL: nothing is stored */
     const char *output; /* result file or NULL */
     bool force;         /* existing files are replaced */
     bool resumed;
-    const ovr_stress_report **stress; /* of surface 1, 2, to be filled in */
-    ovr_listener *say;                /* with `listener` */
+    const ovr_stress_report **stress; /* surfaces 1 and 2, to be filled in */
+    ovr_listener *say; /* receives messages, with `listener` as data */
     void *listener;
 } ovr_accompanied_run;
 

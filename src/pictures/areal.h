@@ -17,7 +17,7 @@ typedef struct ovr_areal_field {
     ovr_unit_kind kind;
     double low, high; /* range of colours and cuts, Hertzian units */
     bool above;       /* some values are above `high` */
-    double *values;   /* of a snapshot, line by line */
+    double *values;   /* values in a snapshot, line by line */
     double *image;    /* on a uniform grid of cells, as drawn */
     double *across;   /* along the cut across, with one more element to close
                        * the period */

@@ -73,7 +73,7 @@ typedef struct ovr_series {
     double shift;            /* added to y after multiplication */
     ovr_mark mark;
     int colour;
-    double base;         /* of an area, in drawn units */
+    double base;         /* lower edge of an area, in drawn units */
     double width;        /* line width; 0: 2 */
     const char *letters; /* a word next to each point: "A B C"; NULL: none */
 } ovr_series;

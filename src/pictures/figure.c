@@ -184,8 +184,8 @@ static ovr_status no_column(const figure *f, const char *name, bool varied,
                     list(f->t, varied, there, sizeof there));
 }
 
-/* Returns the minimum film thickness over the run or, for steady films, the
- * minimum; in metres if the contact is physical. */
+/* Returns the column of the minimum film thickness, over the run if the film is
+ * transient and in metres if the contact has dimensions; NULL: none. */
 static const ovr_table_column *usual_quantity(const figure *f)
 {
     static const char *const names[] = {"H_min_overall_m",    "H_min_overall",

@@ -26,7 +26,7 @@ typedef struct ovr_stored {
     bool hot[3];    /* temperatures of surface 1, surface 2, mid-film */
     struct {
         double x, film, pressure, time;
-    } by; /* its units in units of the first result */
+    } by; /* units of this result divided by those of the first result */
 } ovr_stored;
 
 ovr_status ovr_stored_make(ovr_stored *run, ovr_result *result,

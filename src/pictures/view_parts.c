@@ -20,7 +20,7 @@ enum { MAX_CELLS = 12000000, LEVELS = 2048, MAPS = 2, LONGEST_STRIDE = 4 };
 typedef struct maps {
     const ovr_view_run *view;
     size_t first, stride, columns, rows, every, snapshots;
-    double *values; /* of a stored snapshot */
+    double *values; /* values in a stored snapshot */
 } maps;
 
 static const struct {

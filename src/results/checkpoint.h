@@ -87,7 +87,7 @@ typedef struct ovr_state_source {
 } ovr_state_source;
 
 typedef struct ovr_checkpoint {
-    const char *path, *part; /* of the checkpoint file */
+    const char *path, *part; /* final and temporary path */
     const char *created, *case_text, *case_path;
     size_t value_count;
     const ovr_case_value *values;

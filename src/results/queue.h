@@ -22,7 +22,7 @@ enum { OVR_PARCELS = 6, OVR_PARCEL_STEPS = 64, OVR_ALONE = 12 };
 
 typedef struct ovr_parcel {
     bool snapshot; /* the parcel contains a snapshot */
-    double time;   /* of the snapshot, in the file's unit */
+    double time;   /* time of the snapshot in the file's unit */
     unsigned char *rows;
     size_t steps;   /* rows of history */
     int *step;      /* step numbers */

@@ -18,7 +18,7 @@ struct ovr_result {
     ovr_variable *variable; /* all variables */
     ovr_dataset *set;       /* positions of the datasets in the file as first
                              * opened */
-    bool sets_hold;         /* that file is still open */
+    bool sets_hold; /* the file with the positions in `set` is still open */
     ovr_result_input *input;
     const char **input_path; /* path of each input's dataset */
     size_t inputs;

@@ -21,7 +21,7 @@ static void pages_init(ovr_pages *p, ovr_arena *arena)
     p->arena = arena;
 }
 
-/* Returns the index of the first page whose number is not smaller. */
+/* Returns the index of the first page whose number is at least `number`. */
 static size_t place_of(const ovr_pages *p, uint64_t number)
 {
     size_t low = 0, high = p->count;

@@ -83,7 +83,7 @@ typedef struct ovr_kept {
     bool begun;              /* the journal belongs to this checkpoint */
     bool needed;             /* pages were changed and not synced since */
     bool named;              /* the folder has been synced */
-    uint64_t salt, end;      /* of the journal; its end */
+    uint64_t salt, end;      /* salt and end of the journal */
     uint64_t summed;         /* bytes whose checksums are in the journal's
                               * states */
     unsigned char *pages;    /* one bit per page: saved in the journal */
@@ -111,7 +111,7 @@ typedef struct ovr_store {
     int64_t driver; /* HDF5's identifier of the driver, or negative */
     uint64_t committed, length; /* committed bytes; present length (HDF5's end
                                  * of file) */
-    uint64_t on_disk;           /* length of the file itself */
+    uint64_t on_disk;           /* length of the file on disk */
     ovr_pages changed;
     ovr_tail tail;
 } ovr_store;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The writer as an observer of a run; state of a simulation for checkpoints. */
+/* Records a simulation: passes its steps to the writer of the result file, and
+ * saves and restores its state in checkpoints. */
 #include "base/given.h"
 #include "results/results.h"
 #include "results/writer.h"

@@ -57,7 +57,7 @@ struct ovr_writer {
 
     /* Checkpoints. */
     ovr_state_source source; /* visit_all NULL: no checkpoints */
-    ovr_state_source more;   /* as `source` */
+    ovr_state_source more;   /* additional state */
     char *restart, *restart_part;
     char created[OVR_DATE_SIZE];
 

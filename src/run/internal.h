@@ -20,14 +20,13 @@ struct ovr_run {
     ovr_simulation *sim;
     ovr_writer *writer; /* NULL: no result file */
     ovr_accompanied company[OVR_MAX_PHYSICS + 1];
-    ovr_restart *restart;     /* of a resumed run */
-    ovr_passes *passes;       /* NULL: a single run */
-    bool resumed;             /* the case belongs to the run */
-    const char *title;        /* of a resumed run's file; NULL: derived from the
-                               * case */
-    bool going, gone;         /* ovr_run_execute is active; has been called */
-    bool restored;            /* state read from a checkpoint: no steady
-                               * start */
+    ovr_restart *restart; /* the resumed run; otherwise NULL */
+    ovr_passes *passes;   /* NULL: a single run */
+    bool resumed;         /* the case belongs to the run */
+    const char *title;    /* from a resumed file; NULL: derived from the case */
+    bool going, gone;     /* ovr_run_execute is active; has been called */
+    bool restored;        /* state read from a checkpoint: no steady
+                           * start */
     ovr_case_value *recorded; /* parameters recorded in the file of a resumed
                                * run */
     size_t recorded_count;

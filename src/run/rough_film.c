@@ -216,7 +216,7 @@ typedef struct prediction {
     const ovr_setup *setup;
     double H; /* central film thickness of smooth surfaces */
     ovr_arena *arena;
-    double steepness; /* of all surfaces together */
+    double steepness; /* combined steepness of all surfaces */
     ovr_rough_film film;
 } prediction;
 

@@ -47,8 +47,8 @@ typedef struct smooth {
     size_t n;
     double D;
     double *P, *H;
-    double *eps, *of_h, *of_p; /* of the flux: of p', h and p */
-    double *rho, *rho_p;       /* of the content: of h and p */
+    double *eps, *of_h, *of_p; /* coefficients of p', h and p in the flux */
+    double *rho, *rho_p; /* coefficients of h and p in the lubricant content */
 } smooth;
 
 /* Coefficients of one node. */

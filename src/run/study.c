@@ -234,7 +234,7 @@ typedef struct reading {
     enum section section;
     int zips;
     const char *zip_name;
-    const char *table; /* of [random file TABLE]; or NULL */
+    const char *table; /* table of [random file TABLE]; or NULL */
     ovr_error *err;
 } reading;
 

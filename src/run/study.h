@@ -95,7 +95,7 @@ typedef struct ovr_study_find {
 /* Setting of [random] as written, before sampling. */
 typedef struct ovr_study_chance {
     const char *where, *text;
-    const char *file; /* of [random file FILE]; or NULL */
+    const char *file; /* file of [random file FILE]; or NULL */
     long line;
 } ovr_study_chance;
 
@@ -112,7 +112,7 @@ typedef struct ovr_study_chances {
 struct ovr_study {
     ovr_arena arena;
     const char *path;
-    const char *folder;    /* of the study; "." for the working directory */
+    const char *folder; /* folder of the study; "." for the working directory */
     const char *case_path; /* NULL: an empty case */
     const char *output;    /* folder of the results */
     bool results;          /* a result file for each case */
@@ -130,8 +130,8 @@ struct ovr_study {
  * searches and without result files. */
 bool ovr_study_in_rows(const ovr_study *s);
 
-/* Returns the value of a task. A computed value is
- * written to `text` (OVR_STUDY_VALUE characters). */
+/* Returns the value of a key in a task. A computed value is written to `text`
+ * (OVR_STUDY_VALUE characters). */
 const char *ovr_study_value(const ovr_study *s, const ovr_study_key *key,
                             size_t task, char *text);
 

@@ -247,7 +247,7 @@ static ovr_status gather(ovr_table *t, ovr_error *err)
             if (t->results && !ovr_rows_elsewhere(t->results, i))
                 state[i] = OVR_SWEEP_WAITING; /* the row was destroyed */
             else if (!read_result(t, i, err))
-                state[i] = OVR_SWEEP_CHANGED; /* of an earlier version */
+                state[i] = OVR_SWEEP_CHANGED; /* by an earlier version */
         }
         t->count[state[i]]++;
     }

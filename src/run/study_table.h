@@ -17,7 +17,7 @@ struct ovr_table {
     size_t rows, columns;
     ovr_table_column column[OVR_TABLE_COLUMNS];
     double *number[OVR_TABLE_COLUMNS]; /* the numbers of the columns */
-    /* of the study, else NULL and 0 */
+    /* members for the table of a study, otherwise NULL and 0 */
     const ovr_study *study;
     const ovr_study_key *key[OVR_STUDY_MAX_KEYS]; /* keys of the first
                                                    * columns */

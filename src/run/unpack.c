@@ -334,7 +334,7 @@ static ovr_status lend(unpacking *u, ovr_error *err)
                                err);
     if (status || !u->to)
         return OVR_NO_MEMORY;
-    name_case(u); /* reserves the case's name, so that no input has it */
+    name_case(u); /* reserves the case's name before inputs get names */
     for (size_t k = 0; !status && k < u->keys.count; k++) {
         const ovr_input *key = &u->keys.input[k];
         size_t input = ovr_result_input_of(u->result, key->key);

@@ -34,9 +34,9 @@ typedef struct ovr_arrival {
     bool closed;      /* inflow is limited to the supply */
     double flooded;   /* central film thickness of the flooded start */
     double flow;      /* flow rate rho H of the flooded start */
-    double q, face;   /* of this step: at X_a, and D/2 downstream */
-    double *kept;     /* contents of a solution during continuation, and its
-                       * inlet */
+    double q, face; /* inflow of this step at X_a, and D/2 downstream of X_a */
+    double *kept;   /* contents of a solution during continuation, and its
+                     * inlet */
     bool closed_kept;
     ovr_carriage carriage;
 } ovr_arrival;

@@ -11,7 +11,7 @@
 enum { OVR_GHOSTS = 256 };
 typedef struct ovr_inflow {
     double *kernel;   /* K/pi at 0..n+OVR_GHOSTS mesh sizes */
-    double *X, *S;    /* at X_a - D, X_a - 2 D, ... */
+    double *X, *S;    /* nodes X_a - D, X_a - 2 D, ... and heights there */
     double *extended; /* q with ghost nodes upstream of it */
 } ovr_inflow;
 

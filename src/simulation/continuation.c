@@ -144,11 +144,11 @@ bool ovr_step_continued(ovr_simulation *sim, const ovr_cycling *cycle,
 typedef struct settling {
     ovr_simulation *sim;
     const ovr_full *how;
-    double *gap, *F;  /* of the steady problem */
+    double *gap, *F;  /* gap and history term of the steady problem */
     double *S;        /* difference of the gap from the smooth one */
-    double *q, *P;    /* of the last step */
-    double H0;        /* of the last step */
-    double t, dt;     /* of the last step; length of the next */
+    double *q, *P;    /* lubricant content and pressure of the last step */
+    double H0;        /* H0 of the last step */
+    double t, dt;     /* time of the last step; length of the next step */
     bool grown;       /* features have their full height from the beginning */
     double tolerance; /* tolerance of the steady film */
     int cycles;

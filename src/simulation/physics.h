@@ -52,7 +52,7 @@ typedef struct ovr_physics_case {
     const ovr_lubricant *lubricant;
     const struct ovr_oil *oil;       /* lubricant in SI units */
     ovr_options *options;            /* options that can still be changed */
-    struct ovr_passes_setup *passes; /* also changeable */
+    struct ovr_passes_setup *passes; /* passes; can still be changed */
     bool transient;
     double end;                         /* end time of a run; 0: none */
     const ovr_history *speed, *sliding; /* NULL: constant */
@@ -88,11 +88,11 @@ typedef void ovr_physics_message(void *data, bool warning, const char *text);
 
 /* Fields that exist only with a physical model. */
 typedef enum ovr_physics_field {
-    OVR_FIELD_TEMPERATURE_1, /* of the surfaces, K */
+    OVR_FIELD_TEMPERATURE_1, /* temperature of surface 1, K */
     OVR_FIELD_TEMPERATURE_2,
-    OVR_FIELD_TEMPERATURE_MEAN, /* over the film */
+    OVR_FIELD_TEMPERATURE_MEAN, /* mean across the film */
     OVR_FIELD_TEMPERATURE_MIDDLE,
-    OVR_FIELD_HEAT_FLUX_1, /* into the surfaces */
+    OVR_FIELD_HEAT_FLUX_1, /* heat flux into surface 1 */
     OVR_FIELD_HEAT_FLUX_2
 } ovr_physics_field;
 

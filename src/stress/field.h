@@ -17,7 +17,7 @@ typedef struct ovr_depth {
     double z;
     int level;
     size_t bins;          /* N_c / 2: bins below are used */
-    ovr_depth_table p, q; /* of pressure, of traction */
+    ovr_depth_table p, q; /* tables of pressure and of traction */
     float *shear;         /* d, tau interleaved: N_c each */
     float *mean;          /* h at every second position */
     float *pair;          /* first of a pair of depths: h, and h of the next
@@ -32,7 +32,7 @@ struct ovr_stress {
     const ovr_stress_loops *loops;
     ovr_fourier fourier;
     double start;    /* X of the first node of the fields */
-    double shift;    /* of the last solve, in units of D */
+    double shift;    /* shift in the last solve, in units of D */
     size_t capacity; /* N */
     size_t seam;     /* number of lags that no field needs */
     size_t depths;

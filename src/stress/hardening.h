@@ -17,9 +17,10 @@ typedef struct ovr_hardening {
     int law;
     double yield; /* von Mises yield stress without plastic strain: Y(0) of all
                    * laws */
-    double modulus; /* of linear and kinematic hardening, stress per strain */
+    double modulus; /* modulus of linear and kinematic hardening, stress per
+                       strain */
     double strength, offset, power; /* Swift's B, C (microstrain) and n */
-    double microstrain;             /* of a strain of 1: 1e6 p_h/E* */
+    double microstrain; /* microstrain in a strain of 1: 1e6 p_h/E* */
 } ovr_hardening;
 
 /* Plastic strain of a point; all: accumulated equivalent plastic strain. */

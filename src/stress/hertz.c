@@ -24,7 +24,7 @@ ovr_in_plane ovr_hertz_stress(double p, double q, double x, double z)
 typedef struct moment {
     ovr_criterion criterion;
     double alpha, poisson, z;
-    double centre; /* of the circle, tau = 0 */
+    double centre; /* centre of the circle, at tau = 0 */
 } moment;
 
 static double distance(const moment *m, double x)

@@ -21,7 +21,8 @@ typedef struct ovr_load_bins {
 /* Constants for computing equivalent stresses from (h, d, tau). */
 typedef struct ovr_state_constants {
     float poisson;
-    float mean, half; /* of the residual stresses: residual_x / 2, both */
+    float mean, half; /* mean stress and half difference of the residual
+                         stresses: both residual_x / 2 */
     float across;     /* residual_y */
 } ovr_state_constants;
 

@@ -11,10 +11,9 @@
 
 /* Rows stored for the paths of the material points at a depth. */
 enum {
-    OVR_ROW_HIGH,                                /* extents along u_m */
-    OVR_ROW_LOW = OVR_HALF_DIRECTIONS,           /* and in the opposite
-                                                  * directions */
-    OVR_ROW_VON_MISES = 2 * OVR_HALF_DIRECTIONS, /* squared */
+    OVR_ROW_HIGH,                      /* extents along u_m */
+    OVR_ROW_LOW = OVR_HALF_DIRECTIONS, /* extents in the opposite directions */
+    OVR_ROW_VON_MISES = 2 * OVR_HALF_DIRECTIONS, /* square of the stress */
     OVR_ROW_TRESCA,
     OVR_ROW_H_MAX,
     OVR_ROW_H_MIN,
@@ -25,8 +24,8 @@ enum {
  * tension at interfaces, tension along the surface. */
 typedef struct ovr_layer_extremes {
     ovr_stress_extreme von_mises[OVR_LAYERS_MAX];
-    ovr_stress_extreme shear[OVR_LAYERS_MAX]; /* at the interface below each
-                                               * layer */
+    ovr_stress_extreme shear[OVR_LAYERS_MAX]; /* shear stress at the interface
+                                                 below each layer */
     ovr_stress_extreme tension, surface;
 } ovr_layer_extremes;
 
@@ -42,14 +41,14 @@ typedef struct ovr_material_history_numbers {
     double distance[OVR_STRESS_LEVELS]; /* distance moved since the last time of
                                          * the level */
     double widest;
-    ovr_stress_extreme shear, von_mises; /* of squares */
+    ovr_stress_extreme shear, von_mises; /* extremes of squared stresses */
 } ovr_material_history_numbers;
 
 struct ovr_material_history {
     ovr_arena arena;
     ovr_stress *stress;
     ovr_material_range range;
-    /* of each layer, and of the body below them */
+    /* constants of each layer, and of the body below the layers */
     ovr_state_constants constants[OVR_LAYERS_MAX + 1];
     float rest[OVR_LAYERS_MAX + 1][OVR_ROWS]; /* values before the material has
                                                * been loaded */
@@ -66,7 +65,8 @@ struct ovr_material_history {
     ovr_stress_extreme
         strip; /* largest excess of the mean pressure of a strip */
     ovr_pressure_sums sums;
-    float *d, *tau, *h, *in_plane, *von_mises, *tresca; /* at one depth */
+    /* Stresses at one depth. */
+    float *d, *tau, *h, *in_plane, *von_mises, *tresca;
     ovr_memory_piece piece[7];
     size_t pieces;
 };

@@ -10,14 +10,14 @@ struct ovr_layered;
 typedef struct ovr_stress_options {
     double mesh;       /* D */
     double inlet;      /* X of the first node */
-    size_t nodes;      /* of P and Q */
+    size_t nodes;      /* number of values of P and of Q */
     double from, to;   /* range of the requested fields; default -2.6 to 2.6 */
     double depth_min;  /* default (0): 4 D; at most D/2 */
     double depth_max;  /* 2.5 */
     double per_octave; /* number of depths; default 5 */
     ovr_element element;
     bool traction;                    /* Q is given */
-    const struct ovr_layered *layers; /* on the body, in b; NULL: none */
+    const struct ovr_layered *layers; /* layers on the body, in b; NULL: none */
 } ovr_stress_options;
 
 typedef struct ovr_material_range {

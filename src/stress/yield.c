@@ -4,12 +4,12 @@
  *
  * First yield of the smooth dry contact: the p_h at which its largest von Mises
  * stress is Y.  Shakedown in free rolling: p_h = 4 k, k = Y/sqrt 3, above which
- * every pass flows again (K. L. Johnson, Contact Mechanics, 1985, section 9.2).
- * A strip of uniform pressure penetrates the body without limit if it exceeds
- * the surrounding pressure by (1 + pi/2) 2 k (Prandtl; R. Hill, Plasticity,
- * 1950, section IX.5): the slip lines emerge next to it within the width of the
- * strip, on the side with the lower pressure. Therefore for every strip of
- * nodes
+ * plastic flow continues in every pass (K. L. Johnson, Contact Mechanics, 1985,
+ * section 9.2). A strip of uniform pressure penetrates the body without limit
+ * if it exceeds the surrounding pressure by (1 + pi/2) 2 k (Prandtl; R. Hill,
+ * Plasticity, 1950, section IX.5): the slip lines emerge next to it within the
+ * width of the strip, on the side with the lower pressure. Therefore for every
+ * strip of nodes
  *
  *     excess = mean of P in it - the smaller mean of its two neighbours,
  *

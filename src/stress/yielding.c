@@ -205,10 +205,10 @@ struct ovr_yielding {
     double *w;
     ovr_layer_load *load;
     fftw_plan forward, back;
-    double *values;      /* of one transform */
-    fftw_complex *bins;  /* of one transform */
-    fftw_complex *e, *s; /* of all layers */
-    double *sum;         /* of one wave */
+    double *values;      /* real values of one transform */
+    fftw_complex *bins;  /* bins of one transform */
+    fftw_complex *e, *s; /* strains and stresses of all layers */
+    double *sum;         /* sum for one wave */
     double reserve;      /* value of ovr_yielding_reserve */
     bool reserve_known;
 };

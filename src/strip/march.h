@@ -35,7 +35,7 @@ typedef struct ovr_strip_march {
     double travel[2];
     double force;     /* required value at the next time */
     double carried;   /* speed of the features; NAN if unknown */
-    double tolerance; /* of R */
+    double tolerance; /* tolerance of the imbalance R */
     /* R may also be `share` times R of the guess, up to `loosest` */
     double share, loosest;
     double load; /* maximum relative load error; 0: 10 tolerances */

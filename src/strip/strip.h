@@ -167,7 +167,7 @@ struct ovr_strip_kernels;
 
 /* Dimensions of a strip. */
 typedef struct ovr_strip_shape {
-    size_t n, lines; /* of the finest grid */
+    size_t n, lines; /* nodes along X and lines of the finest grid */
     size_t coarsest; /* maximum number of nodes along X of the coarsest grid */
     double X_a, X_b, width;
     int threads; /* threads of the solver, including the caller's; 0: 1 */
@@ -188,14 +188,14 @@ typedef struct ovr_strip {
                            * the coarsest grid; NULL: never end */
     void *stop_data;
     int threads;
-    ovr_team team;     /* of that many threads */
+    ovr_team team;     /* team of `threads` threads */
     double *work;      /* work arrays of kernels for all threads, see
                         * ovr_strip_work() */
-    size_t work_size;  /* of one thread */
-    double *sums;      /* of the rows of a grid */
-    double *influence; /* of the coarsest grid (coarsest.c) */
+    size_t work_size;  /* doubles in `work` per thread */
+    double *sums;      /* one sum per row of a grid */
+    double *influence; /* elastic influence on the coarsest grid (coarsest.c) */
     double *deps_dH;
-    double *matrix, *solution; /* of the coarsest grid */
+    double *matrix, *solution; /* linear system of the coarsest grid */
     int *unknown;
     fftw_complex *spectrum;
 } ovr_strip;

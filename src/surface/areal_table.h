@@ -23,7 +23,7 @@ typedef struct ovr_areal_axis {
 typedef struct ovr_areal_table {
     ovr_areal_axis x, y;
     double *c;         /* spline coefficients, c[i y.n + j] */
-    bool both;         /* also periodic ahead of its leading end */
+    bool both;         /* periodic also ahead of the leading end */
     double Sq;         /* root mean square height, b^2/R */
     double largest;    /* maximum magnitude of the heights, b^2/R */
     double wavelength; /* 2 pi Sq/Sdq, b */
@@ -34,7 +34,7 @@ typedef struct ovr_areal_table {
 /* Grid and ends of a table. */
 typedef struct ovr_areal_fit {
     double mesh[2];  /* mesh sizes of the strip along x and y, b */
-    double taper[2]; /* in b; NAN: 5 % of the length */
+    double taper[2]; /* blended length at each end, b; NAN: 5 % of the length */
     int extend[2];   /* ovr_extension */
     bool both;       /* extended to both sides along x */
     bool closed;     /* the last row and column equal the first */

@@ -23,7 +23,8 @@ typedef struct ovr_footprint {
     double length;       /* length; INFINITY: endless */
     double fade;         /* distance over which the height vanishes at the ends
                           * of the length */
-    double sine, cosine; /* of the angle between its length and the y axis */
+    double sine, cosine; /* sine and cosine of the angle between the feature's
+                            length and the y axis */
     double wavelength;   /* wavelength across; NAN: none */
     double stagger;      /* fraction of the wavelength across */
     double reach;        /* distance beyond which the height is zero */
@@ -34,7 +35,7 @@ typedef struct ovr_feature {
     int surface;
     ovr_shape shape;
     double ratio; /* u_k/um */
-    bool back;    /* its surface moves towards -x */
+    bool back;    /* the surface moves towards -x */
     double start; /* X of the centre at T = 0 */
     double A;     /* signed amplitude; negative: into the surface */
     double width, wavelength, wavelength_end, length;
@@ -51,7 +52,7 @@ typedef struct ovr_feature {
     ovr_footprint footprint;
     const ovr_table *table;       /* profile, roughness: heights from the
                                    * trailing end */
-    const ovr_areal_table *areal; /* the same for areal surfaces of a strip */
+    const ovr_areal_table *areal; /* heights of an areal surface of a strip */
     double local_Rq; /* Rq before the grid's filter as seen by a contact
                       * (local_roughness.h), for profiles and roughness;
                       * otherwise 0 */

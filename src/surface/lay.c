@@ -108,7 +108,7 @@ typedef struct correlation {
     double dx, dy;
     double *heights; /* complex, cx cy elements: first of the heights, then of
                       * the products */
-    double *mask;    /* the same for the mask */
+    double *mask;    /* as `heights`, for the mask */
     double zero;     /* value at zero shift */
 } correlation;
 

@@ -22,7 +22,7 @@ struct ovr_profile {
     ovr_profile_view view;
     double *x, *z; /* data of the view */
     const char *file;
-    bool questioned;     /* its size has been checked */
+    bool questioned;     /* the size of the profile has been checked */
     bool options;        /* messages name command-line options instead of
                           * keys */
     double b, height;    /* b and b^2/R in metres, for a profile in these units;

@@ -29,8 +29,8 @@ enum { HEADER = 512 };
 
 typedef struct sur {
     double objects, type, bits, lowest, nx, ny;
-    double spacing[3]; /* in metres */
-    double offset;     /* of z, in metres */
+    double spacing[3]; /* spacing along x, y and height unit, metres */
+    double offset;     /* offset of z, in metres */
     bool special;      /* lowest - 2 denotes a missing value */
     size_t start;      /* offset of the values */
 } sur;

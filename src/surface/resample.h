@@ -10,7 +10,7 @@
 typedef struct ovr_ends {
     double taper; /* length blended at each end; NAN: 5 % of the length */
     ovr_extension extend;
-    bool both;   /* also endless ahead of the leading end */
+    bool both;   /* endless also ahead of the leading end */
     bool closed; /* the last point equals the first: periodic without
                   * blending */
 } ovr_ends;

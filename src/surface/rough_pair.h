@@ -31,7 +31,7 @@
 
 typedef struct ovr_rough_pair {
     size_t n;       /* a power of two */
-    double length;  /* of the period */
+    double length;  /* length of the period */
     double *z[2];   /* heights; NULL: smooth */
     double modulus; /* E* in units of the pair */
     bool cut;       /* the longer profile was shortened */

@@ -28,7 +28,7 @@ typedef struct ovr_table {
     double *z;    /* heights */
     double *c;    /* z'' h^2/6 at the entries */
     bool endless; /* endless beyond its trailing end */
-    bool both;    /* also endless ahead of its leading end */
+    bool both;    /* endless also ahead of the leading end */
     double fade;  /* endless beyond its trailing end only: distance over which
                      the heights grow from zero */
     double lost;  /* fraction of the profile's variance that is not in the

@@ -63,8 +63,8 @@ void ovr_surfaces_domain(ovr_surfaces *surfaces, double inlet, double outlet);
 ovr_status ovr_surfaces_add(ovr_surfaces *surfaces,
                             const ovr_feature_form *form, ovr_error *err);
 
-/* Compute the heights S of surface 1; of surface 2. The third function returns
- * true if a surface has features. */
+/* Compute the heights S of one surface at n positions X. The third function
+ * returns true if a surface has features. */
 void ovr_surfaces_heights_1(void *data, double T, size_t n, const double *X,
                             double *S);
 void ovr_surfaces_heights_2(void *data, double T, size_t n, const double *X,

@@ -390,7 +390,7 @@ void ovr_header_line(ovr_header *header, ovr_line line, char separator)
         return;
     if (read_map_size(header, line) || header->columns > OVR_HEADER_FIELDS_MAX)
         return;
-    if (header->columns == 1) { /* its name is just above the data */
+    if (header->columns == 1) { /* name just above the data */
         if (read_statement(header, line))
             header->stated |= header->column[0].metres > 0;
         else if (!header->stated)

@@ -34,7 +34,7 @@ size_t ovr_count_numbers(ovr_line line, ovr_layout layout);
 typedef struct ovr_column {
     char axis;        /* 'x', 'y', 'z', 'v' (valid), or 0 */
     bool scaled;      /* unit b (x) or b^2/R (z) */
-    double metres;    /* its unit in metres; 0: unknown */
+    double metres;    /* unit of the column in metres; 0: unknown */
     ovr_line from;    /* text of the information */
     ovr_line unknown; /* unknown word where a unit is expected */
 } ovr_column;

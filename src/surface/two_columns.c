@@ -12,7 +12,7 @@ enum { ROWS_MAX = 1000000 };
 typedef struct reading {
     ovr_two_columns *to;
     const char *file;
-    ovr_layout layout; /* of the first row; 0: unknown */
+    ovr_layout layout; /* layout of the first row; 0: unknown */
     bool found[2];     /* units in the header */
     bool swapped;      /* the second column comes first */
     int decimals;      /* maximum number of decimals in the second column */

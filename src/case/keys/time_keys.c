@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* [time], the histories, and [passes], which belongs to no physical model,
- * because lubricant and plastic strains are carried from pass to pass and a
- * bearing determines their number. */
+/* Keys of [time], of the histories and of [passes]. [passes] belongs to no
+ * physical model: lubricant and plastic strains are carried from pass to pass,
+ * and the number of passes may follow from a bearing. */
 #include "case/keys/keys.h"
 
 #include <math.h>

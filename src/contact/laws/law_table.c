@@ -76,7 +76,7 @@ static void make_slopes(size_t n, const double *p, const double *y, double *m)
 
 /* The spline; linear below its first point. */
 typedef struct spline {
-    size_t n, at; /* at: the interval used last */
+    size_t n, at; /* number of points; interval used last */
     const double *p, *y;
     double *m;
 } spline;

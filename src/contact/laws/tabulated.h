@@ -19,7 +19,7 @@
 typedef struct tabulated {
     const double *value, *slope; /* y and h m at the points */
     double cells, per_P;         /* last point; ph/h */
-    double scale;                /* of y */
+    double scale;                /* factor of y */
 } tabulated;
 
 /* `scale` times the table, for P in units of `ph` Pa. */

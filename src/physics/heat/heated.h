@@ -75,17 +75,17 @@ typedef struct ovr_heated {
     bool too_slow; /* a film of order 4 took too much work */
     int cycles;    /* cycles of a steady start, in all attempts */
     double change; /* last change of temperatures, relative to the rise */
-    double *th, *shift, *swell; /* in the order of the nodes */
-    double V, u1;               /* at the present time */
-    ovr_heat_power made;        /* at the last computation of stresses */
-    double left;                /* error of the discrete heat balance */
-    double balanced; /* reference power of the reported balance error */
+    double *th, *shift, *swell; /* as in columns.h, in node order */
+    double V, u1; /* sliding speed and speed of surface 1 at the present time */
+    ovr_heat_power made; /* power at the last computation of stresses */
+    double left;         /* error of the discrete heat balance */
+    double balanced;     /* reference power of the reported balance error */
     struct ovr_heat_outer *outer; /* outer.h */
     struct ovr_heat_steps *steps; /* in_time.h */
     double Sigma0, limit;         /* as in cross_film.h; limit of (|t| +
                                    * |G_P|)/P */
     ovr_columns film;
-    double *log_eta;       /* at T0 */
+    double *log_eta;       /* ln eta at T0 */
     double *apart;         /* fraction of the surface on which fluid shear acts
                             */
     double *oil, *content; /* H and q of the present lubricant (columns.h) */

@@ -9,7 +9,7 @@
 #include "contact/contact.h"
 #include "contact/oil.h"
 
-static const double S0_USUAL = 1.1; /* of mineral oils */
+static const double S0_USUAL = 1.1; /* usual value of mineral oils */
 
 #define AT(field) offsetof(ovr_heat_case, field)
 

@@ -40,7 +40,7 @@ typedef struct ovr_heat_surface {
     double *past;                 /* (h - T_bulk)/N at the nodes */
     double *along;                /* steady: contribution of heat conduction
                                    * along x */
-    ovr_memory memory;            /* for steps of dT */
+    ovr_memory memory;            /* heat conduction kernel for steps of dT */
     double meshes;                /* distance moved in the step, in mesh sizes
                                    */
     ovr_spread spread[OVR_BANKS]; /* diffusion in the step */

@@ -32,7 +32,7 @@
 
 typedef struct boundary {
     const ovr_boundary_form *given;
-    double *A;             /* at the nodes, as observed last */
+    double *A; /* asperity pressure at the nodes when last observed */
     double *saved, *bears; /* a film that can be restored */
     double wet_force;      /* boundary friction force at pressurized nodes */
     const ovr_asperity_law *law; /* present asperity contact model */
@@ -125,7 +125,7 @@ static ovr_defect solve_apart(ovr_simulation *sim, boundary *b, bool by_levels,
     ovr_level_set_asperity_pressure(grids, sim->finest, b->A);
     d = ovr_steady_film(sim, by_levels ? how : &on_finest, cycles);
     grids->touch.at = ovr_asperity_law_at;
-    sim->start.refinements = 0; /* those belong to another film */
+    sim->start.refinements = 0; /* refinements of another film */
     return d;
 }
 

@@ -23,11 +23,11 @@ typedef struct ovr_boundary_form {
     int unresolved;          /* the model describes only the roughness not
                               * resolved by the mesh */
     double Rq, slope;        /* combined roughness in b^2/R; combined slope */
-    double amplitude, decay; /* a1, s; NAN: by those two */
+    double amplitude, decay; /* a1, s; NAN: computed from Rq and slope */
     double layer, layer_decay;
     double friction;           /* boundary friction coefficient; NAN: unknown */
     double summits, sharpness; /* n beta sigma, sigma/beta */
-    const char *file;          /* of a table */
+    const char *file;          /* file of a tabulated contact model */
     double wear[2];            /* wear coefficient divided by hardness, 1/Pa */
     double passes;             /* 0: no wear */
     double jump;               /* passes per step; 0: automatic */
@@ -38,7 +38,7 @@ typedef struct ovr_boundary_form {
     double at_no_film;         /* asperity pressure of the model at H = 0 in
                                 * p_h; INFINITY: unlimited */
     double share_at_no_film;   /* maximum asperity load share of the model */
-    ovr_rough_pair pair;       /* of profiles */
+    ovr_rough_pair pair;       /* measured profiles of both surfaces */
     ovr_asperity_law bears;    /* the resulting contact model */
 } ovr_boundary_form;
 

@@ -15,7 +15,7 @@
 
 /* --------------------------------------------------------------- Wear depth */
 
-static const double LARGEST_JUMP = 0.02; /* of Rq */
+static const double LARGEST_JUMP = 0.02; /* relative to Rq */
 
 ovr_status ovr_wear_take(ovr_wear *wear, const ovr_boundary_form *given,
                          const ovr_contact *contact, ovr_arena *arena,

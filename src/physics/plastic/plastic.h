@@ -17,7 +17,7 @@ typedef struct ovr_plastic_body {
 
 typedef struct ovr_plastic_setup {
     const ovr_setup *setup;
-    int surfaces; /* as bits; 0: none */
+    int surfaces; /* plastic surfaces as bits; 0: none */
     ovr_plastic_body body[2];
     int hardening;  /* ovr_hardening_law */
     double yield;   /* as given, p_h; NAN: that of the body, or from Swift's law
@@ -34,7 +34,7 @@ typedef struct ovr_plastic_setup {
     const char *profiles; /* name of the profile files; NULL: none */
     bool anyway;
     bool elastic; /* an elastic first pass for comparison */
-    bool rests;   /* this is that pass */
+    bool rests;   /* the current pass is the elastic one */
     bool flooded; /* passes belong to this model: lubricant is not transferred
                    * between them */
 } ovr_plastic_setup;

@@ -292,7 +292,8 @@ ovr_status ovr_stress_resolve(const ovr_physics_case *of, void *form, bool *on,
     return status ? status : resolve_fatigue(of, s, err);
 }
 
-/* Fields are stored for `overroll stress`, the second pass and the pictures. */
+/* Sets the model's features and the fields that it stores: the shear stresses,
+ * which `overroll stress`, the second pass and the pictures use. */
 void ovr_stress_state(const void *form, ovr_physics_effects *effects)
 {
     static const char *const of[] = {"", "shear_stress_1", "shear_stress_2",

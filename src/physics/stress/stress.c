@@ -23,7 +23,7 @@ typedef struct shown {
     ovr_group_attribute attribute[3];
     int which[FIELDS];
     float *values;
-    size_t stride; /* of nodes of the mesh */
+    size_t stride; /* nodes of the grid per stored node */
 } shown;
 
 typedef struct run_stress {
@@ -36,7 +36,7 @@ typedef struct run_stress {
     ovr_writer *writer;
     double *P;                   /* space for the total pressure on the solids
                                   */
-    double *Q[SURFACES];         /* at the last time; NULL: none */
+    double *Q[SURFACES];         /* shear stress at the last time; NULL: none */
     ovr_stress *field[SURFACES]; /* NULL: no fields are stored */
     shown shown[SURFACES];
     double *x;

@@ -31,7 +31,7 @@ typedef struct ovr_stress_setup {
     ovr_criterion criterion;      /* stored as an int by its row, of the same
                                    * size */
     double alpha, limit_pressure; /* 0: none */
-    ovr_life_options life;        /* its limit follows from limit_pressure */
+    ovr_life_options life;        /* with the limit from limit_pressure */
     const char *limit_table;
     double raceway, count; /* raceway 0: unknown */
     double residual_x, residual_y;
@@ -43,7 +43,7 @@ typedef struct ovr_stress_setup {
     bool traction;           /* the shear stress of the film is applied as
                               * traction */
     const char *no_traction; /* reason why traction is not applied; else NULL */
-    double yield[2];         /* of each body, von Mises, p_h; 0: unknown */
+    double yield[2]; /* yield stress of each body, von Mises, p_h; 0: unknown */
 } ovr_stress_setup;
 
 extern const ovr_section ovr_stress_sections[2];
@@ -171,7 +171,7 @@ typedef enum ovr_figure_form {
     OVR_FIGURE_MOMENT,   /* with position and time, without a unit */
     OVR_FIGURE_STRIP,    /* with position and time, width in place of depth */
     OVR_FIGURE_STRESS,   /* with position and time, also in Pa */
-    OVR_FIGURE_TENSION   /* such a stress that may be absent */
+    OVR_FIGURE_TENSION /* as OVR_FIGURE_STRESS, but the stress may be absent */
 } ovr_figure_form;
 
 /* A number of a report, with its key. */

@@ -56,8 +56,8 @@ bool ovr_element_read(ovr_piece type, ovr_datatype *e)
     }
 }
 
-/* Rows are limited so that their size in bytes, with up to eight bytes per
- * value, is a valid int. */
+/* Reads rank and shape of a dataset. Returns false if a row has more values
+ * than eight-byte values fit into INT_MAX bytes. */
 bool ovr_shape_read(ovr_piece space, ovr_dataset *set)
 {
     enum { WIDEST = INT_MAX / 8 };
