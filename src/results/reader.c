@@ -198,13 +198,6 @@ const ovr_variable *ovr_result_field(const ovr_result *r, size_t k)
     return k < r->fields ? r->field[k] : NULL;
 }
 
-const ovr_variable *ovr_result_variable(const ovr_result *r, size_t k)
-{
-    if (!r)
-        return NULL;
-    return k < r->variables ? &r->variable[k] : NULL;
-}
-
 const ovr_variable *ovr_result_column(const ovr_result *r, size_t k)
 {
     if (!r)

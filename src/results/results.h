@@ -173,9 +173,6 @@ void ovr_writer_more(ovr_writer *writer, ovr_visited *more, void *object);
 ovr_status ovr_restart_more(ovr_restart *restart, ovr_visited *more,
                             void *object, ovr_error *err);
 
-/* Returns the k-th variable; NULL past the end. */
-const ovr_variable *ovr_result_variable(const ovr_result *result, size_t k);
-
 /* Returns the result's scale of a kind: b, b^2/R, p_h or b/u_m; NAN if
  * unknown. */
 double ovr_result_scale(const ovr_result_info *info, ovr_unit_kind kind);

@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "overroll/overroll.h"
+#include "results/reader.h"
 #include "results/results.h"
 
 /* Reads all datasets of any rank in all groups; each must report a bounded
@@ -21,9 +22,9 @@ static void read_all(ovr_result *r)
 {
     enum { MAX = 1 << 20 };
     ovr_error err = {0};
-    const ovr_variable *v;
     double *values = malloc(MAX * sizeof *values);
-    for (size_t k = 0; values && (v = ovr_result_variable(r, k)); k++) {
+    for (size_t k = 0; values && k < r->variables; k++) {
+        const ovr_variable *v = &r->variable[k];
         size_t count = v->rank == 1 ? v->shape[0] : 1;
         for (int d = 1; d < v->rank; d++)
             count *= v->shape[d];

@@ -158,21 +158,6 @@ static void solve(fit *f, int modes, double weight[])
     }
 }
 
-double ovr_memory_error(const ovr_memory *memory, double longest)
-{
-    double maximum = 0;
-    for (int k = 0; k <= 1000; k++) {
-        double past = memory->dT * (pow(longest / memory->dT, k / 1000.) - 1);
-        double sum = 0;
-        for (int m = 0; m < modes_of(memory); m++)
-            sum += memory->weight[m] * exp(-memory->rate[m] * past);
-        maximum = fmax(maximum, fabs(sqrt(memory->dT + past) * sum /
-                                         warmth(memory, memory->dT + past) -
-                                     1));
-    }
-    return maximum;
-}
-
 void ovr_memory_fit(double dT, double longest, ovr_memory *memory)
 {
     double weight[OVR_MAX_MODES] = {0};

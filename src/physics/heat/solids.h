@@ -79,10 +79,8 @@ void ovr_memory_rates(double shortest, double longest, ovr_memory *memory);
 void ovr_memory_layered(double shortest, double longest, ovr_warmth warmth,
                         ovr_memory *memory);
 
-/* Computes the weights for steps dT; returns the maximum relative error of the
- * kernel from dT to `longest`. */
+/* Computes the weights for steps dT, fitted from dT to `longest`. */
 void ovr_memory_fit(double dT, double longest, ovr_memory *memory);
-double ovr_memory_error(const ovr_memory *memory, double longest);
 
 /* Contribution of a point's past to its temperature: (h - T_bulk)/N. */
 double ovr_memory_past(const ovr_memory *memory, const double *psi, double q);
