@@ -12,8 +12,8 @@
  * jumps once by half or less, up or down; SRR -2 to 2, flow laws (1/2) and heat
  * (0.3); dents, bumps, ridges and roughness on half of them.  No step may fail
  * but where surfaces touch, and none may be marked but for the heat of a jump,
- * late in that step and the two after it (heat_in_time.c says so); a start that
- * is not found is no jump, and rare. */
+ * late in that step and the two after it, in runs with the step or a quarter of
+ * it; a start that is not found is no jump, and rare. */
 void test_jumps_survey(uint64_t seed, int runs);
 
 #endif
