@@ -55,8 +55,8 @@ static void add(tally *t, const ovr_simulation *sim)
  * surfaces differ and lubricant accumulates in the pocket.  In seed 25323 its
  * pressure grows from 1.2 to 3.9 p_h, or to 1.5 p_h in an isothermal film or
  * without sliding.  The pocket moves by 1.5 mesh sizes in a step and heats a
- * node by 100 K: 19 of 43 steps are flagged, 20 of 86 with half the step, 0 of
- * 172 with a quarter. */
+ * node by 100 K.  This flags 19 of 43 steps, 20 of 86 with half the step, and
+ * none of 172 with a quarter. */
 static long lagging_in_quarters(ovr_setup *setup, double share)
 {
     ovr_error err = {0};

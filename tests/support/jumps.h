@@ -11,9 +11,9 @@
  * which 0.3 to 1.2 of the flow arrives that a flooded film takes; the load
  * jumps once by half or less, up or down; SRR -2 to 2, flow laws (1/2) and heat
  * (0.3); dents, bumps, ridges and roughness on half of them.  No step may fail
- * but where surfaces touch, and none may be marked but for the heat of a jump,
- * late in that step and the two after it, in runs with the step or a quarter of
- * it; a start that is not found is no jump, and rare. */
+ * except where surfaces touch, and none may be marked except for the heat of a
+ * jump.  Its heat is late in that step and the two after it, in runs with the
+ * step or a quarter of it.  A start that is not found is no jump, and rare. */
 void test_jumps_survey(uint64_t seed, int runs);
 
 #endif
