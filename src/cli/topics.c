@@ -127,8 +127,8 @@ static const struct {
      "    contact.mean_speed = log 0.01 to 100 m/s in 25\n"
      "'overroll sweep STUDY.ini' runs it and\n"
      "'overroll plot STUDY.ini --kind stribeck -o PICTURE' draws friction, "
-     "contact share\nand film thickness.  overroll-recipes(7) has a complete "
-     "example."},
+     "asperity load share\n"
+     "and film thickness.  overroll-recipes(7) has a complete example."},
     {"life",
      "Stresses below a surface and the fatigue risk of the material:\n"
      "    [stress]\n    surface = 1\n    [fatigue]\n    criterion = circle\n"

@@ -222,11 +222,11 @@ ovr_status ovr_run_keep_element(ovr_run *run, ovr_error *err)
         {"radius", "reduced radius", OVR_KIND_LENGTH},
         {"radius_1", "radius of surface 1", OVR_KIND_LENGTH},
         {"radius_2", "radius of surface 2", OVR_KIND_LENGTH},
-        {"speed_1", "speed of surface 1 relative to reference",
+        {"speed_1", "speed of surface 1 relative to the reference speed",
          OVR_KIND_NUMBER},
-        {"speed_2", "speed of surface 2 relative to reference",
+        {"speed_2", "speed of surface 2 relative to the reference speed",
          OVR_KIND_NUMBER},
-        {"load", "load relative to reference load", OVR_KIND_NUMBER}};
+        {"load", "load relative to the reference load", OVR_KIND_NUMBER}};
     const ovr_setup *setup = run->setup;
     bool cam = ovr_setup_cam(setup) != NULL;
     double *column[ARRAYS + 1];

@@ -262,9 +262,10 @@ static ovr_status find_group(groups *g, size_t row, size_t maximum,
     }
     if (g->count == maximum)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "'%.60s' has more than %zu values, too many %s; "
-                        "select keys by --against, --lines and --panels",
-                        g->key[g->keys - 1]->name, maximum, what);
+                        "'%.60s' has more values than the maximum number of "
+                        "%s, %zu; select keys by --against, --lines and "
+                        "--panels",
+                        g->key[g->keys - 1]->name, what, maximum);
     g->row[g->count++] = row;
     return OVR_OK;
 }

@@ -151,7 +151,8 @@ static ovr_status words(const ovr_drawing *drawing, const ovr_variable *v,
         return OVR_NO_MEMORY;
     if (isnan(scale))
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "no SI units: the scale of '%s' is unknown", v->name);
+                        "SI units need the scale of '%s', which is unknown",
+                        v->name);
     if (!(fabs(power) > 2 && isfinite(power)))
         power = 0;
     else

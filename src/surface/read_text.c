@@ -109,7 +109,8 @@ static ovr_status sort_points(ovr_profile *p, size_t *n, const long *line,
         return OVR_OK;
     }
     m = average_repeats(p, *n);
-    ovr_profile_note(p, "x repeats: %zu points averaged into %zu", *n, m);
+    ovr_profile_note(
+        p, "points with equal x were averaged: %zu points became %zu", *n, m);
     *n = m;
     return OVR_OK;
 }

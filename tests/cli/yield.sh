@@ -82,7 +82,7 @@ while read -r yield words; do
     contains out '^p_h / p_h at first yield .* p_h at the shakedown limit'
     contains out "plastic strain $words"
 done <<'END'
-0.9 does not matter: below yield
+0.9 is negligible: below yield
 0.54 matters: the smooth contact yields and shakes down
 0.42 matters: the smooth contact exceeds its shakedown limit
 END

@@ -572,15 +572,16 @@ static ovr_status refuse(const ovr_simulation *sim, const void *own,
     const boundary *b = own;
     if (!is_exhausted(sim, own))
         return OVR_OK;
-    return ovr_fail(err, OVR_IMPOSSIBLE,
-                    "contact share and friction would be wrong, because the "
-                    "asperity law is exhausted: at the minimum film "
-                    "thickness H = %.3g its pressure exceeds half of its "
-                    "maximum, %.3g p_h, which is less than the contact "
-                    "pressure. Set boundary.law = exponential with Rq and "
-                    "slope, or constants that carry p_h at zero film "
-                    "thickness",
-                    sim->observation.H_min, b->given->at_no_film);
+    return ovr_fail(
+        err, OVR_IMPOSSIBLE,
+        "asperity load share and friction would be wrong, because the "
+        "asperity law is exhausted: at the minimum film "
+        "thickness H = %.3g its pressure exceeds half of its "
+        "maximum, %.3g p_h, which is less than the contact "
+        "pressure. Set boundary.law = exponential with Rq and "
+        "slope, or constants that carry p_h at zero film "
+        "thickness",
+        sim->observation.H_min, b->given->at_no_film);
 }
 
 static void review(const ovr_simulation *sim, const void *own,
@@ -605,7 +606,8 @@ static void review(const ovr_simulation *sim, const void *own,
             "contact; set boundary.friction");
     if (sim->state.step > 0 && is_exhausted(sim, b))
         say(data, true,
-            "contact share and friction are wrong in steps flagged as not "
+            "asperity load share and friction are wrong in steps flagged as "
+            "not "
             "converged, because the asperity law is exhausted at the end of "
             "the run; set boundary.law = exponential with Rq and slope");
     if (b->wear && sim->state.step > 0)

@@ -104,7 +104,7 @@ static const ovr_parameter keys[] = {
      "at most 2 % of Rq wears off anywhere"},
     {"settled", PLAIN(0, 1), "0", offsetof(ovr_boundary_form, settled), true,
      "passes > 0",
-     "running-in ends when a jump changes the contact share by less than "
+     "running-in ends when a jump changes the asperity load share by less than "
      "this relative amount; 0: all passes are computed"},
     {"file", PATH, NULL, offsetof(ovr_boundary_form, file), true, "law = table",
      "file of pressure against mean gap, two columns with a header such as "

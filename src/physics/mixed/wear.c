@@ -296,7 +296,7 @@ static void review_before(const ovr_setup *setup, ovr_listener *say, void *data)
         return;
     ovr_warn(
         say, data,
-        "contact share and friction of thin films will be wrong: the "
+        "asperity load share and friction of thin films will be wrong: the "
         "[boundary] law carries %.3g p_h at zero film thickness, at "
         "most %.2g of the load; films at which it carries more than "
         "half of that are rejected. Set boundary.law = exponential with Rq and "

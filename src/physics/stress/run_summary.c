@@ -289,7 +289,7 @@ static void report_shakedown(const ovr_report_sink *to,
     else if (r->yielding_depth > 0)
         ovr_report_line(
             to, "",
-            "plastic strain does not matter: only a near-surface layer of "
+            "plastic strain is negligible: only a near-surface layer of "
             "Z = %.3g exceeds yield",
             r->yielding_depth);
     else if (rough && r->material.z[0] > SKIN)
@@ -301,7 +301,7 @@ static void report_shakedown(const ovr_report_sink *to,
     else
         ovr_report_line(
             to, "",
-            "plastic strain does not matter: below yield from Z = %.3g "
+            "plastic strain is negligible: below yield from Z = %.3g "
             "downward",
             r->material.z[0]);
 }
