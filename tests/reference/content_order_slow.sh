@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Oil conserved along the characteristic, of second and of fourth order: a dent
-# that is rolled through a starved contact, against finer levels of second
-# order, whose corrections are none; steady films against their limit.
+# Mass-conserving cavitation with characteristic, of second and of fourth order:
+# a dent rolls through a starved contact. Runs are compared with finer levels of
+# second order, which need no corrections, and steady films with their limit.
 . "$TOP/tests/support/cli.sh"
 
 cat >dent.ini <<'END'

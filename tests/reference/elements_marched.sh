@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Random gears, cams and bearings marched at level 6 with all that goes with
-# them: in make verify 12 gears, 10 cams and 8 bearings, else a tenth.
+# Random gears, cams and bearings are marched at level 6 with the usual physical
+# models: 12 gears, 10 cams and 8 bearings in make verify, otherwise a tenth.
 . "$TOP/tests/support/cli.sh"
 . "$TOP/tests/support/elements.sh"
 if [ -n "${OVERROLL_VERIFY:-}" ]; then

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A tenth of tests/verify/estimates.sh, at level 5 beside level 7.
+# A tenth of tests/verify/estimates.sh, at level 5 compared with level 7.
 . "$TOP/tests/support/cli.sh"
 . "$TOP/tests/support/estimates.sh"
 

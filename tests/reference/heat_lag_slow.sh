@@ -1,13 +1,14 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A dent whose edge moves a mesh a step through a hot film of 1.2 GPa, where the
-# oil gets hotter by 100 K from step to step.  Its viscosity followed by half of
-# that, which left it powers of ten too viscous: the largest pressure was 1.3,
-# 1.7, 8.7 ph at levels 6 to 8, and energy was off by 0.14, 0.55, 1.  What must
-# hold: energy closes, the smallest film is the same at all levels and for steps
-# of an eighth, in which nothing lags.  A load that rises at once costs what it
-# did; and what cannot be followed is marked, and the run not called converged.
-# `make verify` has levels 8 and 9 too.
+# A dent whose edge moves by one mesh size per step through a hot film (1.2
+# GPa). The temperature rises by 100 K from step to step. Formerly the viscosity
+# followed by half of the change and was powers of ten too high: the maximum
+# pressure was 1.3, 1.7 and 8.7 p_h at levels 6 to 8, and the error of the
+# energy balance 0.14, 0.55 and 1. Conditions: the energy balance closes; the
+# minimum film thickness is the same at all levels and with steps of an eighth,
+# where lag is negligible; a load that rises suddenly needs no more cycles than
+# before; steps that cannot be computed are flagged, and the run is not reported
+# as converged. `make verify` adds levels 8 and 9.
 . "$TOP/tests/support/cli.sh"
 
 contact() {

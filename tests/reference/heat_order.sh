@@ -1,10 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A dent rolls through a hot film of Eyring's law.  Viscosities follow
-# temperatures with a lag of second order in dT: with half the step the smallest
-# film changes by a quarter of what it changed by before (by half where they lag
-# by a step, as in version 0.2.0: 1.9).  The bound is halfway between both
-# orders, sqrt(2 * 4).
+# A dent rolls through a hot Eyring film. The lag of the viscosities behind the
+# temperatures is of second order in dT: if the step is halved, the change of
+# the minimum film thickness falls to a quarter. With the lag of one step of
+# version 0.2.0 it falls to a half (measured ratio: 1.9). The bound is the
+# geometric mean of both orders, sqrt(2 * 4).
 . "$TOP/tests/support/cli.sh"
 
 cat >dent.ini <<'END'

@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# One of five fixed mixes of bodies that yield with other physics, against an
-# independent model: see metal_mixes.py, metal.py (all: verify/mixes.sh).
+# One of five fixed cases of plastic bodies with other physical models, compared
+# with an independent model (metal_mixes.py, metal.py). verify/mixes.sh runs all
+# five.
 . "$TOP/tests/support/cli.sh"
 need_python numpy h5py
 

@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every fifth of ten fixed mixes of physics, and of five hot films, against an
-# independent model: see mixes.py, hot_mixes.py.  In make verify all.
+# Every fifth of ten fixed combinations of physical models, and of five hot
+# films, compared with an independent model (mixes.py, hot_mixes.py). make
+# verify runs all of them.
 . "$TOP/tests/support/cli.sh"
 need_python numpy h5py
 

@@ -1,15 +1,17 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Passes that lose a tenth, and three tenths, of the oil, with a dent that meets
-# its own wake, beside another program of this model (its own assembly and
-# cycles): undisturbed central film, meniscus, least central film of the passes
-# 2 to 4, known to three digits.  A pass starts there with the film without the
-# dent, and here with the mean of what lies between inlet and outlet, which is
-# that film.  Started with what arrives at T = 0, the foot of the wake, films
-# and menisci were 1.5 to 2.6 % off.
+# Passes that lose a tenth, or three tenths, of the lubricant, with a dent that
+# meets its own wake, compared with another program of this model (own assembly
+# and cycles). Compared are the undisturbed central film thickness, the inlet
+# meniscus, and the smallest central film thickness of passes 2 to 4, known to
+# three digits. In the other program a pass starts with the film without the
+# dent. In this program a pass starts with the mean lubricant content between
+# inlet and outlet, which is the content of that film. Passes that started with
+# the content at the inlet at T = 0, the foot of the wake, had film thicknesses
+# and menisci that differed by 1.5 to 2.6 %.
 #
-# The undisturbed film does not depend on any of it: the share of the oil that
-# is left, 0.9^n.  What went in and did not come out is there.
+# The undisturbed film depends only on the remaining fraction of the lubricant,
+# 0.9^n. The lubricant volume that entered and has not left is in the contact.
 . "$TOP/tests/support/cli.sh"
 
 cat >wake.ini <<'END'

@@ -1,10 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Steps of two meshes, the default: a dent rolls through in half the steps of
-# one mesh each, and the film differs from that on twice as many nodes in steps
-# of a mesh by no more than 5e-5 in the middle and 1e-3 at its smallest (rms of
-# the passage; steps of one mesh without corrections that follow, version
-# 0.2.0: 1.1e-4 in the middle).  Why a step is one mesh `check` says.
+# Steps of two mesh sizes, the default: a dent rolls through in half the number
+# of steps of one mesh size. The film thickness differs from a run with twice as
+# many nodes and steps of one mesh size by at most 5e-5 in the centre and 1e-3
+# at its minimum (rms of the passage). In version 0.2.0, with steps of one mesh
+# size and without convected corrections, the centre differed by 1.1e-4. `check`
+# prints the reason for steps of one mesh size.
 . "$TOP/tests/support/cli.sh"
 
 cat >dent.ini <<'END'

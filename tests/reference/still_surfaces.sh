@@ -1,13 +1,15 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Hot contacts one surface of which stands still, or nearly: its heat flows
-# along it alone, both ways, and from all of the domain.  Thick films at high
-# speeds have long inlets and little conduction along x, where marches that
-# remembered less than the surface did not contract (temperatures of 1e17 K).
+# Hot contacts with one surface at rest or nearly at rest. Heat spreads along
+# this surface only by conduction, in both directions and from the whole domain.
+# Thick films at high speeds have long inlets and little conduction along x.
+# Time steps with a shorter memory than the surface did not contract there
+# (temperatures of 1e17 K).
 #
-#   - what stands still is what hardly moves, without and with a coating;
-#   - so does a coated, hot cam from its base circle on, at all speeds;
-#   - contacts drawn at random have a solution (OVERROLL_RUNS, OVERROLL_SEED).
+#   - a surface at rest has the temperature of a very slow one, without and
+#     with a coating;
+#   - a coated, hot cam is computed from its base circle on, at all speeds;
+#   - random contacts have a solution (OVERROLL_RUNS, OVERROLL_SEED).
 . "$TOP/tests/support/cli.sh"
 
 cat >oil <<'END'

@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Thick films on the base circle of a cam, where sweeps after the coarse
-# correction make a residual grow (step_cycles.c): multigrid's cycles find each
-# step without a retry, in 10 cycles at most on the mean.  With those sweeps the
-# same steps take 22 cycles and 221 retries in all.
+# Thick films on the base circle of a cam, where sweeps after the coarse-grid
+# correction increase the residual (step_cycles.c). Multigrid cycles solve each
+# step without a retry, in 10 cycles at most on average. With those sweeps the
+# same steps need 22 cycles and 221 retries in all.
 . "$TOP/tests/support/cli.sh"
 
 cat >cam.ini <<'END'

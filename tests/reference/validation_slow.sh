@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The fast part of tools/validation: every number in its band, one page that
-# needs nothing else; and a film ten per cent off is found out.
+# The fast part of tools/validation: every number is within its band, and the
+# page needs no other file. A film thickness with an error of 10 % is detected.
 . "$TOP/tests/support/cli.sh"
 
 if ! command -v python3 >/dev/null; then

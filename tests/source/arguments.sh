@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every public function with NULL for each pointer and NaN for each number in
-# turn (arguments.py, arguments.h): an error where one can be told, and nowhere
-# a crash.
+# Calls every public function with NULL for each pointer and NaN for each number
+# in turn (arguments.py, arguments.h). The function returns an error where it
+# can detect the value, and never crashes.
 . "$TOP/tests/support/cli.sh"
 
 [ -z "$INSTRUMENTED" ] || skip "the shared library is instrumented"

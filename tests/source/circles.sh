@@ -1,10 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# No two folders of src call each other, by however many steps: of objects and
-# the symbols that they define and use, tsort finds an order of the folders.
-# Files of one folder may call each other.  FLOOR_NAME.c in the folder of a
-# subject (layers.sh) counts as of that floor.  Left out is the list of physics,
-# by which floors below reach them.
+# No two folders of src call each other, directly or indirectly: tsort orders
+# the folders by the symbols that their objects define and use. Files of one
+# folder may call each other. LAYER_NAME.c in the folder of a subject
+# (layers.sh) counts as part of that layer. The list of physical models, through
+# which lower layers call them, is omitted.
 . "$TOP/tests/support/cli.sh"
 command -v nm >/dev/null || skip 'no nm'
 # Of a kernel compiled for several instruction sets one object is enough.

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The table of equations in overroll-theory(7): its files and tests are there,
-# and every file that opens with an equation is in it.
+# The files and tests in the table of equations of overroll-theory(7) exist, and
+# every file whose head comment contains an equation is in the table.
 set -u
 cd "$TOP" || exit 1
 page=src/multigrid/overroll-theory.7

@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The shared library exports what the public headers declare with OVR_API, no
-# more and no less; at most 170 functions, each of them called by the program,
-# by Python or by the example of the manual; every global name of the static one
-# begins with ovr_.
+# The shared library exports exactly the functions that public headers declare
+# with OVR_API, at most 170. Each is called by the program, by Python or by the
+# example of the manual. Every global name of the static library begins with
+# ovr_.
 set -u
 if [ -n "$INSTRUMENTED" ]; then
     echo "instrumented libraries carry symbols of their own"

@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every source file names its licence in its first two lines, is at most 80
-# columns wide (except rows of Markdown tables), and has neither tabs nor blanks
-# at line ends.  Nothing else is allowed in the top folder.  The lengths of
-# functions are printed and fail nothing: a function is as long as its one idea.
+# Every source file names its licence in its first two lines and is at most 80
+# columns wide (except rows of Markdown tables), without tabs and without blanks
+# at line ends. The top folder contains only the listed files. Lengths of
+# functions are printed and not checked: a function is as long as its one idea.
 set -u
 cd "$TOP" || exit 1
 status=0

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every header compiles alone; the public ones in C++ too, and as C11.  One that
-# a source includes before anything else has been compiled so.
+# Every header compiles alone, public headers also as C++ and as C11. A header
+# that a source file includes first has been compiled in this way.
 set -u
 cd "$TOP" || exit 1
 status=0

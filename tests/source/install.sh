@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A program finds the installed library, shared and static, by pkg-config;
-# uninstall leaves no file behind.
+# pkg-config finds the installed library, shared and static, and a program links
+# with it. uninstall leaves no file.
 . "$TOP/tests/support/cli.sh"
 [ -z "$INSTRUMENTED" ] || skip "instrumented libraries are not installed"
 

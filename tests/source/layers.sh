@@ -1,10 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A file includes headers of its own floor and of floors below, never in
-# circles; of a folder inside a floor only the header of the folder's name, if
-# there is one; the command line of the library only overroll/*.h.  In folders
-# of a subject (elements, physics) FLOOR_NAME stands on that floor.  Above
-# multigrid nobody knows of a grid with one mesh size.
+# A file includes headers of its own layer and of lower layers, never in
+# circles. Of a folder inside a layer, only the header with the folder's name is
+# included from outside, if it exists. The command line includes only
+# overroll/*.h of the library. In folders of a subject (elements, physics),
+# LAYER_NAME belongs to that layer. No file above multigrid contains a grid with
+# one mesh size.
 set -u
 cd "$TOP" || exit 1
 floors="base mathematics contact elements surface multigrid strip stress

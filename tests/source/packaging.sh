@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The recipes of tools/packaging and tools/debian: the version is that of the
-# headers, and every library that the Makefile links with is asked for.
+# The recipes of tools/packaging and tools/debian have the version of the
+# headers, and require every library with which the Makefile links.
 . "$TOP/tests/support/cli.sh"
 ln -s "$TOP/tools" "$TOP/include" "$TOP/Makefile" .
 at=tools/packaging

@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every test that tools/validation/proofs.md names is there: `FOLDER/FILE` below
-# tests, whose ending `.c` may be left out, and in `FOLDER/FILE:NAME` one of its
-# TESTs or Python functions; `make GOAL` is a goal of the Makefile.  Each page
-# of the manual has a table, and the lists of the Makefile name tests.
+# Every test named in tools/validation/proofs.md exists: `FOLDER/FILE` below
+# tests, without the ending `.c` if it is omitted, and in `FOLDER/FILE:NAME` one
+# of its TESTs or Python functions. `make GOAL` is a goal of the Makefile. Each
+# manual page has a table, and the lists of the Makefile name tests.
 . "$TOP/tests/support/cli.sh"
 
 list=$TOP/tools/validation/proofs.md

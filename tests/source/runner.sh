@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The runner of the tests counts what failed, crashed, hung, or said nothing.
+# The test runner counts tests that failed, crashed, hung, or printed no result.
 . "$TOP/tests/support/cli.sh"
 
 # program NAME COMMANDS: one that is counted by its TAP output, like cmocka's.

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A program that has nothing but the public headers and the shared library runs
-# a case with its file, goes on with it and sweeps, and one with several passes:
-# examples of overroll-library(3).  What they find is what the program finds.
+# A program with only the public headers and the shared library runs a case with
+# its file, resumes it, sweeps it, and runs a case of several passes (examples
+# of overroll-library(3)). Its results equal those of the overroll program.
 . "$TOP/tests/support/cli.sh"
 [ -z "$INSTRUMENTED" ] || skip "instrumented libraries carry more than symbols"
 

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The library never prints, exits, aborts or reads the environment: it does
-# not even refer to what would do so.  (Writing to files of its own is fine, and
-# pool.o ends the processes that it forked.)
+# The library never prints, exits, aborts or reads the environment: it has no
+# reference to functions for these purposes. (Writing to its own files is
+# allowed, and pool.o ends the processes that it has forked.)
 set -u
 nm -A -u "$LIB" 2>/dev/null | grep -v ':pool\.o:.* _exit$' | awk '
     $NF ~ /^(stdin|stdout|stderr|puts|putchar|perror)$/ ||

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every source file compiles for WebAssembly, with the C library that the page
-# of the program has (make web): a call that it has not is told here, without
-# the libraries, which take minutes to build.
+# Every source file compiles for WebAssembly with the C library of the web page
+# (make web). A call of a missing function is detected here, without building
+# the libraries, which takes minutes.
 . "$TOP/tests/support/cli.sh"
 need clang
 [ -e /usr/include/wasm32-wasi ] || skip 'no wasi-libc'

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # English of comments, messages, manual pages and Markdown: the counts of
-# violations (words.py) do not exceed words.baseline.  Each kind of text is also
-# tried with a violation that has to be found.
+# violations (words.py) do not exceed words.baseline. For each kind of text, the
+# check detects a violation that is inserted.
 . "$TOP/tests/support/cli.sh"
 
 need_python re

@@ -1,8 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# find, [random], --sensitivity and --estimate-error with each physics: answers
-# have been run, samples equal single runs, elasticities equal those of two
-# runs; if killed and repeated, both give the same bits.
+# find, [random], --sensitivity and --estimate-error with each physical model:
+# answers were computed by runs, samples equal single runs, and elasticities
+# equal the difference of two runs. Commands that are killed and repeated give
+# the same bits.
 . "$TOP/tests/support/cli.sh"
 need setsid
 

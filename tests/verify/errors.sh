@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Errors of 40 random cases, 25 with deep dents, textures and short waves, and
-# 30 like those of users, next to the error that `check` expects.
+# Errors of 40 random cases, of 25 cases with deep dents, textures and short
+# waves, and of 30 typical cases, compared with the error that `check` expects.
 . "$TOP/tests/support/cli.sh"
 need_python csv json
 

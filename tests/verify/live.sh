@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Other readers at a file that is being written: h5py polls at 5 Hz through a
-# whole run and checks every row against the end.  A newest row that is still
-# NaN, and one retry, are allowed.
+# Other programs read a file while it is written: h5py polls at 5 Hz during a
+# whole run and compares every row with the final file. The newest row may still
+# be NaN, and one retry is allowed.
 . "$TOP/tests/support/cli.sh"
 need_python h5py numpy
 

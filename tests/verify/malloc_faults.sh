@@ -1,10 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Any one allocation of the whole process fails, those inside the libraries
-# too.  Commands that read end with a code of their own and one line besides
-# warnings, whichever it is.  Those that write end so unless it was HDF5's: it
-# aborts or crashes then, which is counted, and what the run leaves is a whole
-# file or none.
+# Any single allocation of the process fails, including allocations inside the
+# libraries. Commands that read end with their own exit code and, in addition to
+# warnings, one line. Commands that write do the same unless the allocation was
+# HDF5's. HDF5 then aborts or crashes, which is counted, and the run leaves a
+# complete file or none.
 . "$TOP/tests/support/faults.sh"
 make_faults
 make_dent

@@ -1,9 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Random mixes of physics against an independent model, another seed each day:
-# see reference/mixes.py, hot_mixes.py, metal_mixes.py.  OVERROLL_SEED and
-# OVERROLL_RUNS choose others, of hot films a tenth, of bodies that yield a
-# twentieth.  The fixed mixes of bodies that yield go first.
+# Random combinations of physical models, compared with an independent model
+# (reference/mixes.py, hot_mixes.py, metal_mixes.py), with another seed each
+# day. OVERROLL_SEED and OVERROLL_RUNS set seed and number of cases; a tenth of
+# this number are hot films, and a twentieth are plastic bodies. The fixed cases
+# of plastic bodies run first.
 . "$TOP/tests/support/cli.sh"
 need_python numpy h5py
 

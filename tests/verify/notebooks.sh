@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The notebooks of tools/python run to their ends; their pictures are left in
-# $OVERROLL_VERIFY/notebooks.  And 10,000 simulations leave no memory behind.
+# The notebooks of tools/python run completely; their pictures remain in
+# $OVERROLL_VERIFY/notebooks. 10,000 simulations leak no memory.
 . "$TOP/tests/support/cli.sh"
 
 need gnuplot

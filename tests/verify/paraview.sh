@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# VTK's netCDF reader, which is ParaView's, reads every field of a result at
-# every time as h5py does.
+# VTK's netCDF reader, which ParaView uses, reads the same values as h5py for
+# every field of a result at every time.
 . "$TOP/tests/support/cli.sh"
 for PYTHON in python3 /usr/bin/python3; do
     "$PYTHON" -c 'import h5py, vtkmodules.vtkIONetCDF' 2>/dev/null && break

@@ -1,8 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# README's study as the array job of overroll-study(5) on a real Slurm with one
-# node, started and stopped here: the job is cancelled half-way and submitted
-# again; the collected table equals that of `sweep -j 2`.
+# The study of README.md runs as the array job of overroll-study(5) on a real
+# Slurm with one node, which this test starts and stops. The job is cancelled
+# halfway and submitted again. The collected table equals the table of `sweep -j
+# 2`.
 . "$TOP/tests/support/cli.sh"
 need slurmctld slurmd sbatch munged
 [ "$(id -u)" -eq 0 ] || skip 'Slurm is started as root only'

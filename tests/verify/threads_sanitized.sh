@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The thread sanitizer finds nothing in runs whose stresses are followed and
-# whose file is written on threads of their own, nor where they are resumed, nor
-# in strips that threads share (it makes the program end with 66).
+# The thread sanitizer finds no error in runs that compute stresses and write
+# the file on separate threads, in resumed runs, or in strips with several
+# threads. (After an error the program ends with exit code 66.)
 . "$TOP/tests/support/cli.sh"
 [ -z "$INSTRUMENTED" ] || skip "once is enough"
 

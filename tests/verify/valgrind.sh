@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# valgrind finds nothing in a steady and in a transient run.
+# valgrind finds no error in a steady and a transient run.
 . "$TOP/tests/support/cli.sh"
 [ -z "$INSTRUMENTED" ] || skip "sanitizers and valgrind do not mix"
 need valgrind
