@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the tests of the Python package share."""
+"""Fixtures and reference values shared by the tests of the Python package."""
 import os
 import re
 from pathlib import Path
@@ -32,7 +32,7 @@ def own_folder(tmp_path, monkeypatch):
 
 @pytest.fixture
 def dent():
-    """A dent that rolls through in some 150 steps."""
+    """A case whose dent rolls through the contact in about 150 steps."""
     case = ovr.Case(M=20, L=10, level=5, end=2, inlet=-4)
     return case.feature("dent", depth=0.1, width=0.5, start=-4.6)
 

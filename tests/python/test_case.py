@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cases, their keys, and what is said when they are wrong."""
+"""Cases, their keys, and the messages for wrong input."""
 import copy
 import pickle
 
@@ -28,7 +28,7 @@ def test_names_mean_keys():
 
 
 def test_every_parameter_has_a_name():
-    """Whatever the table holds: its name in Python leads back to it."""
+    """The Python name of every parameter is mapped back to its key."""
     from overroll._tables import place
     for p in ovr.parameters():
         assert p.help and str(p).startswith(f"{p.section}.{p.key}: ")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What cffi knows is what the C compiler sees in the public headers."""
+"""The declarations of cffi equal those of the public headers."""
 import os
 import re
 import shutil
@@ -56,7 +56,7 @@ def test_the_page_shows_what_works():
 
 
 def test_the_tour_of_the_readme(program):
-    """The Python of README.md runs, on a coarser grid."""
+    """The Python example of README.md runs on a coarser grid."""
     page = (TOP / "README.md").read_text()
     subprocess.run([program, "init", "roller", "--set", "domain.level=4",
                     "-o", "roller.ini"], check=True)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""find, random, and executors: threads, processes and dask give the same."""
+"""find, random and executors: threads, processes and dask give equal
+results."""
 import json
 import multiprocessing
 import os
@@ -19,12 +20,12 @@ CONTACT = dict(load="300 kN/m", radius="8 mm", modulus="226 GPa",
 
 @pytest.fixture
 def passed(dent):
-    """The dent, until it has left."""
+    """Returns the dent case with an end time after the dent has left."""
     return dent.set(end=6.4)
 
 
 def same(one, other):
-    """All numbers but for the clock and files, to the bit."""
+    """True if all numbers except times and file names are equal to the bit."""
     assert set(one) == set(other)
     for name in one:
         if name not in ("seconds", "message", "snapshots"):
@@ -152,8 +153,8 @@ def test_dask(dent, client):
 
 
 def test_a_lost_worker_loses_nothing(dent, client):
-    """One of two is killed in the middle: what it ran is resumed by
-    another, and nothing that had finished runs again."""
+    """One of two workers is killed during a case: another worker resumes this
+    case, and finished cases do not run again."""
     dent.set(level=7)
     how = dict(M=[16, 18, 20, 22, 24, 26, 28, 30])
     here = ovr.sweep(dent, workers=2, **how)
@@ -186,7 +187,8 @@ def test_a_lost_worker_loses_nothing(dent, client):
 
 
 def test_files_that_are_there(dent):
-    """Read where they are whole, refused where they are of another case."""
+    """Existing files are read if they are complete, and rejected if they
+    belong to another case."""
     first = ovr.sweep(dent, M=[20, 25], workers=2, output="here")
     os.unlink("here/M=25.json")
     again = ovr.sweep(dent, M=[20, 25], workers=2, output="here")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs, their files, and the program's own beside them."""
+"""Runs and their files, compared with files written by the program."""
 import json
 import os
 import signal
@@ -15,7 +15,7 @@ import overroll as ovr
 
 
 def same_file(a, b):
-    """All that was computed, bit for bit."""
+    """Asserts that two files contain the same computed values, to the bit."""
     for group in (None, "history"):
         x, y = ovr.open(a, group=group), ovr.open(b, group=group)
         assert set(x.variables) == set(y.variables)
@@ -70,7 +70,8 @@ def test_same_numbers_as_the_program(program):
 
 
 def test_fields_are_those_of_a_file():
-    """Of a physical contact, to the last bit but for its factor's rounding."""
+    """Fields of a contact with dimensions equal those of the file, except for
+    rounding of the scale factor."""
     case = ovr.Case(
         load="300 kN/m", radius="8 mm", modulus="226 GPa", level=4,
         viscosity="58.5 mPa.s", alpha="23.5 1/GPa", mean_speed="3 m/s",
@@ -228,7 +229,7 @@ def test_warnings_are_warnings(dent):
 
 
 def test_the_same_as_by_xarray(dent):
-    """What h5netcdf reads, and lazily."""
+    """The dataset equals what h5netcdf reads, and is loaded lazily."""
     path = ovr.run(dent, "a.h5", level=4, end=0.2).overroll.path
     for group in (None, "history"):
         other = xarray.open_dataset(path, group=group, engine="h5netcdf",
@@ -257,7 +258,7 @@ def test_no_result_file():
 
 
 def test_passes():
-    """Each pass is a simulation of its own, all are one run."""
+    """Each pass is a separate simulation; all passes are one run."""
     seen = []
     case = ovr.Case(M=20, L=10, level=4, cavitation_model="conserving",
                     passes_number=3, loss=0.2)
@@ -273,7 +274,8 @@ def test_passes():
 
 
 def test_layers_of_a_body(program):
-    """Keys of [coating 1] and [coating 1b], and what a run says of them."""
+    """Keys of [coating 1] and [coating 1b], and the report of a run with
+    layers."""
     case = ovr.Case(**{"load": "300 kN/m", "radius": "8 mm",
                        "mean_speed": "3 m/s", "viscosity": "40 mPa.s",
                        "alpha": "17 1/GPa", "level": 6,
@@ -310,8 +312,9 @@ def test_layers_of_a_body(program):
 
 
 def test_a_body_that_yields(program):
-    """The program's file to the digit, in a study by its hardness, and
-    continued: less flows than at first."""
+    """A plastic body: the result equals the program's file, in a study over
+    the yield stress and in a continued run, where less plastic strain is added
+    than in the first."""
     case = ovr.Case(load="300 kN/m", radius="8 mm", mean_speed="3 m/s",
                     viscosity="40 mPa.s", alpha="17 1/GPa", level=5, order=2,
                     end=3.6, inlet=-4,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Solutions as numpy and xarray see them, and misuse of their memory."""
+"""Solutions as arrays of numpy and xarray, and misuse of their memory."""
 import gc
 
 import numpy as np
@@ -77,7 +77,8 @@ def test_arrays_with_units():
 
 
 def test_errors_are_estimated():
-    """Near the true one, by the limit of table 2."""
+    """The estimated error is close to the true error, known from the limit of
+    table 2."""
     film = ovr.steady(**REFERENCE, level=7, estimate_error=True)
     assert film.errors["H_cen"] == pytest.approx(
         abs(film.H_cen - 0.08419667638), rel=0.3)

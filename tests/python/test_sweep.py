@@ -43,7 +43,7 @@ def test_a_case_that_fails_is_a_gap():
 
 
 def test_ctrl_c_ends_a_sweep(dent):
-    """What runs finishes its step, what waits does not begin."""
+    """Running cases finish their step; waiting cases do not start."""
     dent.set(end=1000, level=7)
 
     def press(fraction):

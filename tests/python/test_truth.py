@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Numbers that this program did not make; tolerances as in the C tests of the
-same."""
+"""Reference values from other programs; tolerances as in the corresponding C
+tests."""
 import numpy as np
 import pytest
 
@@ -28,7 +28,7 @@ def shape(T, X):
 
 @pytest.mark.parametrize("own", [False, True])
 def test_discrete_series(own):
-    """The dent as a feature of the case, and as a function."""
+    """The dent is a feature of the case, or a function."""
     H_min, H_cen = truth("dent_bdf2_H_min"), truth("dent_bdf2_H_cen")
     case = ovr.Case(**REFERENCE, level=7, end=6.4, tolerance=1e-8)
     if not own:

@@ -31,7 +31,8 @@ ABSOLUTE = 138.0              # K, of Roelands' law
 
 
 def chebyshev(n):
-    """Points from -1 to 1, the matrix that differentiates there."""
+    """Returns Chebyshev points from -1 to 1 and their differentiation
+    matrix."""
     s = -np.cos(np.pi * np.arange(n) / (n - 1))
     c = np.ones(n)
     c[[0, -1]] = 2
@@ -41,7 +42,8 @@ def chebyshev(n):
 
 
 def between(s, at):
-    """The matrix that takes values at Chebyshev's points s to points `at`."""
+    """Returns the matrix that interpolates from the Chebyshev points s to the
+    points `at`."""
     w = (-1.0)**np.arange(len(s))
     w[[0, -1]] /= 2
     parts = w / (at[:, None] - s)
@@ -49,8 +51,9 @@ def between(s, at):
 
 
 def cubic(X, values, x):
-    """Through the four nodes about x, of even mesh; 0 before the first node,
-    the last value behind the last.  Each row of values at its row of x."""
+    """Interpolates each row of values at its row of x, by a cubic through the
+    four nearest nodes of a uniform grid. The result is 0 upstream of the first
+    node and the last value downstream of the last."""
     D, n = X[1] - X[0], len(X)
     i = np.clip(((x - X[0]) / D).astype(int), 1, n - 3)
     t = (x - X[i]) / D
@@ -62,7 +65,7 @@ def cubic(X, values, x):
 
 
 class Physical:
-    """Of a contact in SI units, what the equations take."""
+    """Dimensionless parameters of the equations for a contact in SI units."""
 
     def __init__(self, given):
         w, R, E, eta0 = (given[k] for k in
@@ -130,7 +133,7 @@ class Hot(Model):
         return a * a / ((a + P) * (a + 1.34 * P)) * self.expansion
 
     def at_temperature(self, T, P):
-        """Temperatures by which the film flows, till they are others."""
+        """Sets the temperatures with which the flow is computed."""
         self.T, self.Tm = T, self.mean(T)
         fluid = np.exp(self.log_eta(P, self.Tm) - self.log_eta(P, T))
         self.r = self.to_gauss @ fluid
@@ -147,20 +150,22 @@ class Hot(Model):
 
     @staticmethod
     def bent(g):
-        """exp(g s) over the largest of them, and the logarithm of that."""
+        """Returns exp(g s) divided by its maximum, and the logarithm of this
+        maximum."""
         most = np.abs(g.real)
         return np.exp(g * POINTS[:, None] - most), most
 
     @staticmethod
     def slides(r, b, e, most):
-        """a of: the mean of r sinh(a + g s) is b; e, most: of g."""
+        """Solves for a: the mean of r sinh(a + g s) is b. e and most are the
+        results of `bent`."""
         w = WEIGHTS[:, None] / 2 * r
         up, down = (w * e).sum(axis=0), (w * e[::-1]).sum(axis=0)
         b = b * np.exp(-most)
         return np.log((b + np.sqrt(b * b + up * down)) / up)
 
     def faces(self, P, H, V):
-        """eps of the mean temperatures, r, b at the half nodes."""
+        """Returns eps at the mean temperatures, r and b at the half nodes."""
         phi = self.rho(P) * np.exp(-self.ln_eta(P)) / self.lam
 
         def mean(f, power):
@@ -192,7 +197,7 @@ class Hot(Model):
         return super().wedge(q * (1 + self.turned), dry, Cu, T)
 
     def friction(self, P, H, T):
-        """|mu_slide|, int t dX over the load."""
+        """Returns |mu_slide|, int t dX divided by the load."""
         _, r, b = self.faces(P, H, self.V(T))
         g = (H[:-1] + H[1:]) / 2 * np.diff(P) / self.D / (2 * self.Sigma0)
         t = self.Sigma0 * self.slides(r, b, *self.bent(g))
@@ -203,7 +208,8 @@ class Hot(Model):
     # --------------------------------------------------------- heat
 
     def sheet(self, P, q, Cu, V):
-        """Oil's height, velocity and heating in every column."""
+        """Returns height, velocity and heating of the lubricant in every
+        column."""
         H = q / self.rho(P)
         P_X = np.zeros(self.n)
         P_X[1:-1] = (P[2:] - P[:-2]) / (2 * self.D)
@@ -221,8 +227,8 @@ class Hot(Model):
         return H, P_X, u, heating
 
     def columns(self, P, q, P_T, Cu, V):
-        """For every node the matrix and the right side of the equation of
-        heat without what comes along the paths; velocities, heights."""
+        """Returns, for every node, matrix and right side of the heat equation
+        without convection along the paths, velocities and heights."""
         H, P_X, u, heating = self.sheet(P, q, Cu, V)
         f = self.swelling(P)
         beta = f / (1 + f * self.T)
@@ -234,7 +240,7 @@ class Hot(Model):
         return A, b, u, H
 
     def walls(self, A, b, H, past, resistance):
-        """Rows of the surfaces in A, b of every column."""
+        """Fills in the rows of both surfaces in A and b of every column."""
         for k, (row, sign) in enumerate(((0, -1), (-1, 1))):
             A[:, row] = sign * resistance[k] * self.Dz[row] / H[:, None]
             A[:, row, row] += 1
@@ -244,7 +250,8 @@ class Hot(Model):
         return [(self.Dz[0] @ T) / H, -(self.Dz[-1] @ T) / H]
 
     def lasting(self, k, t):
-        """How much warmer than a half space a pulse leaves surface k."""
+        """Returns M(t), the temperature of surface k after a heat pulse
+        relative to a half-space."""
         if not self.p.coat[k]:
             return np.ones_like(t)
         e, tau = self.p.coat[k]
@@ -253,7 +260,8 @@ class Hot(Model):
         return (1 + 2 * (g**n * np.exp(-n * n * tau / t)).sum(axis=0)) / e
 
     def weights(self, k, count, dt):
-        """Of q at 0, dt, ... ago, linear between, in int q M/sqrt(t) dt."""
+        """Returns the weights of q at times 0, dt, ... in the past, linear
+        between them, in int q M/sqrt(t) dt."""
         t = dt * np.arange(count + 1)
         root = np.sqrt(t)
         half = np.diff(root) / 2
@@ -267,7 +275,7 @@ class Hot(Model):
         return w
 
     def kept(self, k, count, dt):
-        """The same, calculated once."""
+        """Returns the weights, computed once."""
         most = count + 50
         key = (k, round(dt, 12))
         if len(self.known.get(key, ())) <= count:
@@ -276,8 +284,8 @@ class Hot(Model):
         return w
 
     def steady_heat(self, P, q):
-        """Temperatures of a film that stays, column by column downstream, by
-        the second order backward difference along x."""
+        """Computes the temperatures of a steady film, column by column
+        downstream, with the second-order backward difference along x."""
         Cu, V = self.speed.at(0), self.V(0)
         A, b, u, H = self.columns(P, q, 0, Cu, V)
         T = np.zeros((17, self.n))
@@ -304,7 +312,7 @@ class Hot(Model):
         return T, flux
 
     def past(self, k, T, dT):
-        """N int q/sqrt(t) dt but for q of now, surface k."""
+        """Returns N int q/sqrt(t) dt of surface k without the present q."""
         v = self.speed.at(T) + (0.5, -0.5)[k] * self.V(T)
         steps = len(self.history)
         count = steps + int((self.X[-1] - self.X[0]) / (v * dT)) + 2
@@ -328,7 +336,7 @@ class Hot(Model):
     # ------------------------------------------------------- in turn
 
     def settle(self, u, T, past, step, heat):
-        """Film and temperatures until both stay."""
+        """Iterates film and temperatures until both converge."""
         for turn in range(120):
             u = self.solve(u, T, past, step)
             state = self.state(u, T)
@@ -341,7 +349,7 @@ class Hot(Model):
         raise ArithmeticError(f"temperatures move by {apart:.1e} at T = {T}")
 
     def march(self, guesses, times):
-        """Yields P, H, temperatures (17, n), friction at the times."""
+        """Yields P, H, temperatures (17, n) and friction at each time."""
         T = times[0]
         u = guesses(0)
         for _ in range(20):               # how hot such a film would be

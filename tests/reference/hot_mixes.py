@@ -51,7 +51,7 @@ def mesh(case):
 
 
 def text_of(case, folder):
-    """The case file."""
+    """Returns the text of the case file."""
     given = case["physical"]
     lines = ["[contact]", f"load = {given['load']!r} N/m",
              f"radius = {given['radius']!r} m",
@@ -98,7 +98,8 @@ def text_of(case, folder):
 
 
 def run(case):
-    """What the program has, dimensionless, temperatures as rises."""
+    """Runs the program and returns its results, dimensionless, with
+    temperature rises."""
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "a.ini")
         with open(path, "w", encoding="utf-8") as file:
@@ -119,7 +120,8 @@ def run(case):
 
 
 def unknowns(model, out, k):
-    """The model's unknowns in the program's snapshot: a guess, no more."""
+    """Returns the model's unknowns from the program's snapshot, used only as
+    an initial guess."""
     P, H = out["pressure"][k], out["film_thickness"][k]
     x = P[1:-1].copy()
     x -= np.where(P > 0, 0, model.rho(P) * H - out["oil_content"][k])[1:-1]
@@ -128,7 +130,7 @@ def unknowns(model, out, k):
 
 
 def apart(case):
-    """Largest differences of P, H, friction, temperatures."""
+    """Returns the maximum differences of P, H, friction and temperatures."""
     out = run(case)
     model = Hot(case)
     centre = np.argmin(np.abs(model.X))
@@ -176,7 +178,7 @@ FIXED = {
 
 
 def drawn(seed):
-    """A case at random, whose surfaces go the same way and fast."""
+    """Draws a random case whose surfaces move fast in the same direction."""
     r = random.Random(seed)
     um, slip = r.uniform(8, 15), r.uniform(-0.6, 0.6)
     case = dict(BASE, physical=dict(
@@ -196,7 +198,7 @@ def drawn(seed):
 
 
 def told(name, case, band):
-    """Whether it is right; said."""
+    """Prints the differences and returns true if they are within the band."""
     begun = time.process_time()
     try:
         worst = apart(case)

@@ -23,8 +23,8 @@ import numpy as np
 
 
 def layers(first, growth, strained, bottom):
-    """Depths of the edges, and how many layers may be strained: those down to
-    `strained`."""
+    """Returns the depths of the layer edges, and the number of layers above
+    `strained`, which may have plastic strain."""
     z, h = [0.0], first
     while z[-1] < strained:
         z.append(z[-1] + h)
@@ -38,8 +38,8 @@ def layers(first, growth, strained, bottom):
 
 
 class Law:
-    """Hardening over the strain: none | linear | kinematic by a modulus, or
-    swift (strength, offset, power), strains in the units of the model."""
+    """Hardening law: none, linear or kinematic with a modulus, or swift
+    (strength, offset, power). Strains are in the units of the model."""
 
     def __init__(self, name, Y, modulus=0.0, swift=None):
         self.Y, self.swift = Y, swift
@@ -59,7 +59,7 @@ class Law:
         return self.linear + 0 * all_strain
 
     def flow(self, q, was, three_G):
-        """de with q - (3G + h) de = Y(was + de), 0 within yield."""
+        """Returns de with q - (3G + h) de = Y(was + de), or 0 below yield."""
         stiff = three_G + self.kinematic
         de = np.where(q.real > self.at(was).real,
                       (q - self.at(was)) / (stiff + self.slope(was)), 0)
@@ -71,8 +71,8 @@ class Law:
 
 
 class Block:
-    """What strains of elements do to the mean stresses of all elements, and to
-    the nodes of the surface: tables over the distance along x."""
+    """Influence of plastic strains of elements on the mean stresses of all
+    elements and on surface nodes: tables by distance along x."""
 
     def __init__(self, nu, h, cells, z, strained):
         self.nu, self.h, self.cells = nu, h, cells
@@ -86,8 +86,8 @@ class Block:
         self.sinks = sinks                         # of waves
 
     def element(self, height):
-        """Stiffness and mean strain of (u, w) at the nodes (0, 0), (1, 0),
-        (0, 1), (1, 1)."""
+        """Returns stiffness matrix and mean strain of an element from (u, w)
+        at the nodes (0, 0), (1, 0), (0, 1), (1, 1)."""
         K, mean = np.zeros((8, 8)), np.zeros((3, 8))
         g = math.sqrt(1 / 3)
         for s in (-g, g):
@@ -103,8 +103,8 @@ class Block:
         return K, mean
 
     def waves(self):
-        """Of each wave: stresses from strains, (x, z, xz) of each layer, and
-        the node of the surface left of the element."""
+        """Computes, for each wave, stresses from strains, (x, z, xz) of each
+        layer, and the displacement of the surface node left of the element."""
         some, n = self.strained, len(self.z) - 1
         m = np.arange(self.cells // 2 + 1)
         turn = np.exp(2j * np.pi * m / self.cells)
@@ -176,8 +176,8 @@ class Metal:
     # ------------------------------------------------------------- stresses
 
     def elastic(self, P, X, at):
-        """Of pressures at the nodes, uniform about each; the material's origin
-        lies at `at`."""
+        """Returns elastic stresses due to pressures that are uniform around
+        each node. `at` is X of the material's origin."""
         D = X[1] - X[0]
         g = 0.5 / math.sqrt(3)
         out = np.zeros((len(self.depth), self.columns, 3))
@@ -194,14 +194,14 @@ class Metal:
         return out
 
     def whole(self, s, e):
-        """x, y, z, xz with what plane strain makes of sigma_y."""
+        """Returns x, y, z, xz with sigma_y of plane strain."""
         nu = self.nu
         y = nu * (s[..., 0] + s[..., 1]) + \
             (1 - nu * nu) * (e[..., 0] + e[..., 1])
         return np.stack([s[..., 0], y, s[..., 1], s[..., 2]], axis=-1)
 
     def residual(self, e):
-        """Mean stresses of all elements, x, z and xz."""
+        """Returns the mean residual stresses x, z and xz of all elements."""
         rows, n, _ = e.shape
         N = self.block.cells
         hat = np.fft.rfft(e, N, axis=1).transpose(1, 0, 2).reshape(-1, 3 * rows)
@@ -214,7 +214,7 @@ class Metal:
     # ----------------------------------------------------------------- flow
 
     def driving(self, s, e_old):
-        """dev s less what kinematic hardening takes, and its von Mises."""
+        """Returns dev s minus the back stress, and its von Mises stress."""
         mean = (s[:, 0] + s[:, 1] + s[:, 2]) / 3
         back = self.law.kinematic * 2 / 3
         d = np.stack([s[:, 0] - mean - back * e_old[:, 0],
@@ -225,16 +225,17 @@ class Metal:
                                  2 * d[:, 3]**2))
 
     def mapped(self, s, e_old, all_old):
-        """Backward Euler of one element each: e and what flows, by the stress
-        that would be there without this step's flow."""
+        """Solves the backward Euler step of each element separately. Returns e
+        and the elements that flow, from the stress without plastic flow in
+        this step."""
         d, q = self.driving(s, e_old)
         de = self.law.flow(q, all_old, 3 * self.block.G)
         part = (1.5 * de / np.where(q == 0, 1, q))[:, None]
         return e_old + part * d[:, [0, 2, 3]], de
 
     def flow(self, P, X, at):
-        """By the pressure of a moment; returns by how much of their yield the
-        stresses before any flow are at most."""
+        """Deforms the material under the pressure at one time. Returns the
+        maximum stress before plastic flow relative to yield."""
         load = self.elastic(P, X, at)
         rows, n, _ = load.shape
         G = self.block.G
@@ -242,7 +243,8 @@ class Metal:
         e = old.copy()
 
         def trial(e):
-            """Stress with this step's flow taken out of each element's own."""
+            """Returns the stress without the effect of each element's own
+            plastic flow in this step."""
             s = self.residual(e.reshape(rows, n, 3)) + load
             s = self.whole(s, e.reshape(rows, n, 3)).reshape(-1, 4)
             de = e - old
@@ -268,7 +270,8 @@ class Metal:
         return near
 
     def newton(self, s, old, old_all, off, flows, n, count):
-        """d with (1 - dM/ds ds/de) d = off, of the elements that flow."""
+        """Returns d with (1 - dM/ds ds/de) d = off for the elements that
+        flow."""
         G, nu, k = self.block.G, self.nu, len(flows)
         row, col = np.divmod(flows, n)
         apart = (col[:, None] - col[None, :]) % self.block.cells
@@ -301,8 +304,8 @@ class Metal:
     # -------------------------------------------------------------- surface
 
     def sinking(self, xi):
-        """By how much the gap grows at places of the material: by nothing at
-        `far`, and beside a window."""
+        """Returns the increase of the gap at positions of the material; it is
+        zero at `far` and outside of a window."""
         N, h = self.block.cells, self.h
         rows = self.e.shape[0]
         hat = np.fft.rfft(self.e, N, axis=1).transpose(1, 0, 2)

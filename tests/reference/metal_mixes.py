@@ -45,7 +45,7 @@ NEAR = 0.8                 # share of yield below which all is elastic
 
 
 class Yielding(Model):
-    """A contact whose gap has what its metals have sunk."""
+    """A contact whose gap includes the plastic deformation of both bodies."""
 
     def __init__(self, case, metals):
         super().__init__(case)
@@ -53,7 +53,8 @@ class Yielding(Model):
         self.found = None    # T and the gap then, as the metals are now
 
     def at(self, surface, T):
-        """Where the material's origin is, its first feature's centre."""
+        """Returns X of the material's origin, the centre of its first
+        feature."""
         sign = 0.5 if surface == 1 else -0.5
         start = next(f["start"] for f in self.c["features"]
                      if f["surface"] == surface)
@@ -74,7 +75,7 @@ class Yielding(Model):
 
 
 def plastic(case):
-    """Lines of the case."""
+    """Returns the lines of [plastic] in the case."""
     y = case["yields"]
     bodies = [] if "coats" in case else [
         f"[body {body}]\nmodulus = {E_BODY!r} GPa\npoisson = {NU!r}"
@@ -90,7 +91,8 @@ def plastic(case):
 
 
 def law_of(y, unit):
-    """In the units of the model; unit: the strain p_h/E*."""
+    """Returns the hardening law in the units of the model. `unit` is the
+    strain p_h/E*."""
     if y["law"] != "swift":
         return Law(y["law"], y["Y"], y["modulus"] * unit)
     # of Y = B (C + microstrain)^n at no strain
@@ -99,7 +101,8 @@ def law_of(y, unit):
 
 
 def run(case):
-    """Snapshots by name, and what each surface has become, by its number."""
+    """Runs the program. Returns snapshots by name, and the plastic state of
+    each surface by its number."""
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "a.ini")
         with open(path, "w", encoding="utf-8") as file:
@@ -120,7 +123,7 @@ def run(case):
 
 
 def metals(case, out, share):
-    """Of elements that are that share of a mesh of the film."""
+    """Returns the bodies with elements of `share` mesh sizes of the film."""
     y = case["yields"]
     D = (case.get("outlet", 1.5) - case.get("inlet", -4)) / \
         (7 * 2**case["level"])
@@ -140,8 +143,8 @@ def metals(case, out, share):
 
 
 def march(case, out, share):
-    """P, H of all steps, how many came nowhere near yield, and the metals as
-    the last film met them."""
+    """Returns P and H of all steps, the number of steps far below yield, and
+    the bodies at the last step."""
     if "coats" in case:
         case = dict(case, layers=[(0.5, Layer(d, E, nu, E_BODY, NU))
                                   for d, E, nu in case["coats"].values()])
@@ -159,12 +162,12 @@ def march(case, out, share):
 
 
 def over_film(a, H):
-    """a over H, or over H_cen where H is less."""
+    """Returns a divided by H, or by H_cen where H is smaller."""
     return np.abs(a) / np.maximum(H, H[:, [H.shape[1] // 2]])
 
 
 def laid(theirs, name, metal):
-    """A map of the program at the middles of the elements."""
+    """Interpolates a map of the program to the centres of the elements."""
     xi, z = theirs["material"], theirs["depth"]
     rows = np.array([np.interp(metal.mid, xi, row) for row in theirs[name]])
     return np.array([np.interp(metal.depth, z, column)
@@ -172,28 +175,31 @@ def laid(theirs, name, metal):
 
 
 def maps(metal, unit):
-    """What flowed and the residual stresses, as they are named in files."""
+    """Returns plastic strains and residual stresses by their names in
+    files."""
     s = metal.whole(metal.residual(metal.e), metal.e)
     return {"cumulative": metal.all * unit, "residual_x": s[..., 0],
             "residual_y": s[..., 1]}
 
 
 def apart(a, b, metal, from_depth):
-    """In the mean square over b's, from a depth down."""
+    """Returns the root mean square difference relative to that of b, from a
+    depth downward."""
     area = np.where(metal.depth > from_depth, metal.thick, 0)[:, None]
     return math.sqrt(((a - b)**2 * area).sum() / (b * b * area).sum())
 
 
 def between(coarse, fine, name, unit):
-    """The coarse metal's map at the fine one's elements."""
+    """Interpolates a map of the coarse model to the elements of the fine
+    one."""
     a = {"material": coarse.mid, "depth": coarse.depth,
          name: maps(coarse, unit)[name]}
     return laid(a, name, fine)
 
 
 def compared(case):
-    """By name: how far the program is from the finer model, and the models
-    from each other; before anything flows, by what they differ."""
+    """Returns, by name, the difference between program and finer model, and
+    between both models, also before the first plastic flow."""
     out = run(case)
     P, H = out["pressure"], out["film_thickness"]
     P1, H1, _, coarse = march(case, out, COARSE)
@@ -253,8 +259,9 @@ FIXED = {
 
 
 def drawn(seed):
-    """A mix at random.  Three in four have bumps that flow and a smooth
-    contact, from 0.56 p_h on, that does not: elements are where the bump is."""
+    """Draws a random case. In three of four cases bumps deform plastically and
+    the smooth contact does not (yield stress from 0.56 p_h on); elements are
+    placed around the bump."""
     r = random.Random(seed)
 
     def ramp(low, high, first=1.0):
@@ -290,7 +297,7 @@ def drawn(seed):
 
 
 def told(name, case):
-    """Whether it is right; said."""
+    """Prints the differences and returns true if they are within the band."""
     begun = time.process_time()
     try:
         elastic, found = compared(case)

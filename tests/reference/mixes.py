@@ -32,7 +32,7 @@ OVERROLL = os.environ.get("OVERROLL", "build/overroll")
 
 
 def text_of(case, folder):
-    """The case file."""
+    """Returns the text of the case file."""
     conserving = "film" in case or case.get("conserving")
     lines = [f"[contact]\nM = {case['M']!r}\nL = {case['L']!r}",
              f"slide_to_roll = {case.get('slide', 0.0)!r}",
@@ -86,7 +86,7 @@ def text_of(case, folder):
 
 
 def run(case):
-    """Times, P, H, q of the program."""
+    """Runs the program and returns times, P, H and q."""
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "a.ini")
         with open(path, "w", encoding="utf-8") as file:
@@ -104,7 +104,8 @@ def run(case):
 
 
 def unknowns(model, out, k):
-    """The model's unknowns in the program's snapshot: a guess, no more."""
+    """Returns the model's unknowns from the program's snapshot, used only as
+    an initial guess."""
     P, H = out["pressure"][k], out["film_thickness"][k]
     x = P[1:-1].copy()
     if model.conserving:
@@ -121,7 +122,7 @@ def unknowns(model, out, k):
 
 
 def apart(case):
-    """Largest differences of P and of H over H_cen."""
+    """Returns the maximum differences of P and of H relative to H_cen."""
     out = run(case)
     if "coats" in case:
         case["layers"] = [(0.5, Layer(d, E, nu, 206.0, 0.3))
@@ -186,7 +187,7 @@ FIXED = {
 
 
 def drawn(seed):
-    """A mix at random; what does not go together is not drawn together."""
+    """Draws a random case without physical models that cannot be combined."""
     r = random.Random(seed)
 
     def ramp(low, high, first=1.0):
@@ -233,15 +234,15 @@ def drawn(seed):
 
 
 def band(case):
-    """What the program alone approximates, see above; else what stopping
-    leaves."""
+    """Returns the allowed difference: approximations of the program (see
+    above), or the stopping tolerance."""
     if case.get("carreau"):
         return 1e-3
     return 1e-7 if case.get("coats") else 1e-9
 
 
 def told(name, case):
-    """Whether it is right; said."""
+    """Prints the differences and returns true if they are within the band."""
     begun = time.process_time()
     try:
         P, H = apart(case)

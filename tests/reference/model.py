@@ -80,9 +80,10 @@ class Ramp:
 
 
 class Layer:
-    """A(k) of one bonded layer of thickness d, plane strain, over that of the
-    substrate: Airy's function (a + b z) exp(-kz) + (c + d z) exp(kz) in the
-    layer and (e + f z) exp(-kz) below, for a unit wave of pressure."""
+    """Compliance A(k) of one bonded layer of thickness d relative to the
+    substrate, in plane strain, for a unit wave of pressure. Airy's function is
+    (a + b z) exp(-kz) + (c + d z) exp(kz) in the layer and (e + f z) exp(-kz)
+    below."""
 
     def __init__(self, d, E, nu, E_below, nu_below):
         self.d = d
@@ -94,8 +95,8 @@ class Layer:
         return 2 * (1 - nu * nu) / E
 
     def parts(self, k, z, body, kind):
-        """sigma_z, tau, u, w of z^n exp(s k z) cos(kx), in units that share
-        sin and cos; strains by Hooke's law of plane strain."""
+        """Returns sigma_z, tau, u and w of z^n exp(s k z) cos(kx), without the
+        factors sin and cos; strains follow Hooke's law in plane strain."""
         s, n = kind
         E, nu = self.E[body], self.nu[body]
         e = math.exp(s * k * (z - (self.d if s > 0 else 0)))
@@ -141,8 +142,9 @@ def logarithms(d):
 
 
 def kernel(n, D, layers=None):
-    """int K over the box of a mesh, at 0 ... n - 1 meshes; layers: of body 1
-    and 2, (share of the compliance, Layer), lengths in b."""
+    """Returns int K over one grid interval at distances of 0 ... n - 1 mesh
+    sizes. layers: (fraction of the compliance, Layer) of bodies 1 and 2,
+    lengths in b."""
     d = np.arange(n, dtype=float)
     K = D * (logarithms(d) + math.log(D))
     for share, layer in layers or []:
@@ -164,7 +166,7 @@ def kernel(n, D, layers=None):
 
 
 class Model:
-    """The discrete equations of a case; `case` has its numbers."""
+    """Discrete equations of a case, with the parameters in `case`."""
 
     def __init__(self, case):
         self.c = case
@@ -218,7 +220,8 @@ class Model:
         return gap
 
     def arrives(self, T):
-        """q of the film (u1 h1 + u2 h2)/um; before T = 0 as at 0."""
+        """Returns q of the supplied film (u1 h1 + u2 h2)/um; before T = 0 its
+        value at 0."""
         h1, h2 = self.c["film"]
         Cu, V = self.speed.at(max(T, 0)), self.V(max(T, 0))
         return h1 * (1 + V / (2 * Cu)) + h2 * (1 - V / (2 * Cu))
@@ -234,7 +237,7 @@ class Model:
         return self.alphabar * p0 / z * ((1 + P / p0)**z - 1)
 
     def conductances(self, P, H, V):
-        """E at the half nodes."""
+        """Returns E at the half nodes."""
         phi = self.rho(P) * np.exp(-self.ln_eta(P)) / self.lam
 
         def mean(f, power):
@@ -255,8 +258,9 @@ class Model:
         return odd * np.sqrt(eps**2 + (c / even)**2)
 
     def thinning(self, slid, g):
-        """E/eps of gamma = x (1 + x^2)^((1/n - 1)/2): the mean stress a that
-        makes the film slide so, then what flows, both by quadrature."""
+        """Returns E/eps for gamma = x (1 + x^2)^((1/n - 1)/2). The mean stress
+        a of the given sliding speed and the flow are computed by
+        quadrature."""
         power = (1 / self.carreau[1] - 1) / 2
         half = WEIGHTS / 2
 
@@ -280,7 +284,7 @@ class Model:
     # ---------------------------------------------------------- equations
 
     def outflow(self, q, dry):
-        """Q at i + 1/2, i = 0 ... n - 2, of oil that goes to +x."""
+        """Returns Q at i + 1/2, i = 0 ... n - 2, for motion towards +x."""
         if self.first_order:
             return q[:-1]
         before = np.concatenate([[q[0]], q[:-1]])
@@ -291,7 +295,7 @@ class Model:
         return Q[:-1]
 
     def wedge(self, q, dry, Cu, T):
-        """Cu (Q_{i+1/2} - Q_{i-1/2}) of nodes 1 ... n - 2."""
+        """Returns Cu (Q_{i+1/2} - Q_{i-1/2}) at nodes 1 ... n - 2."""
         if Cu < 0:
             Q = self.outflow(q[::-1], dry[::-1])
             out, into = Q[1:], Q[:-1].copy()
@@ -305,7 +309,8 @@ class Model:
         return Cu * (out - into)
 
     def stored(self, q, past, step, dry):
-        """(A - B)/dT at nodes 1 ... n - 2; past: q before and before that."""
+        """Returns (A - B)/dT at nodes 1 ... n - 2. past: q of the two previous
+        times."""
         if step is None:
             return 0
         dT, s = step
@@ -321,12 +326,12 @@ class Model:
         return ((A - B) / dT)[1:-1]
 
     def flux(self, P, H, T):
-        """What pressure drives, at the half nodes."""
+        """Returns the pressure-driven flow at the half nodes."""
         flux = self.conductances(P, H, self.V(T)) * np.diff(P) / self.D
         return np.concatenate([[0], flux[1:]]) if self.closed else flux
 
     def carried(self, q, dry, T, past, step):
-        """What the surfaces bring and what is stored, taken from a row."""
+        """Returns the sum of wedge term and storage term of each row."""
         return (self.wedge(q, dry, self.speed.at(T), T) / self.D +
                 self.stored(q, past, step, dry))
 
@@ -346,7 +351,8 @@ class Model:
     # --------------------------------------------------------------- Newton
 
     def state(self, u, T):
-        """Of the unknowns: x at 1 ... n - 2, what touches there, H0."""
+        """Splits the unknowns: x at nodes 1 ... n - 2, asperity pressure
+        there, and H0."""
         m = self.n - 2
         P, lack, bears = (np.zeros(self.n) for _ in range(3))
         P[1:-1], lack[1:-1] = np.maximum(u[:m], 0), np.maximum(-u[:m], 0)
@@ -374,8 +380,9 @@ class Model:
         return np.concatenate(out + [[load]])
 
     def matrix(self, u, T, past, step):
-        """By complex steps: the flux, by P and H of every second node at once,
-        each between two half nodes; what is carried, by q of every fifth."""
+        """Computes the Jacobian by complex steps: derivatives of the flux with
+        respect to P and H of every second node at once, and of the convected
+        content with respect to q of every fifth node."""
         n, m, h = self.n, self.n - 2, 1e-200
         P, bears, H, q, lack = self.state(u, T)
         dry = lack > 0
@@ -438,9 +445,9 @@ class Model:
                             -self.D * np.ones(m), [0]])])
 
     def solve(self, u, T, past=None, step=None, most=100):
-        """Newton's method; no pressure and no film moves on by more than a
-        fifth of p_h.  A change that falls no more is what rounding leaves, and
-        is enough below 1e-11."""
+        """Solves by Newton's method with changes of at most a fifth of p_h.
+        The iteration ends when the change no longer decreases because of
+        rounding, and must then be below 1e-11."""
         m = self.n - 2
         change = math.inf
         for _ in range(most):
@@ -461,7 +468,8 @@ class Model:
         raise ArithmeticError(f"Newton's method left {change:.1e} at T = {T}")
 
     def about(self, u, T, past, step):
-        """Of pressures that are a guess, what lacks by their own film."""
+        """Returns the unknowns of guessed pressures, with the residual where
+        the pressure is zero."""
         if self.conserving:
             return u
         m = self.n - 2
