@@ -15,6 +15,7 @@
 
 #include "base/given.h"
 #include "simulation/physics.h"
+#include "simulation/solver.h"
 
 /* The state is considered constant if neither P nor S changes by more than this
  * times dT in STILL consecutive steps. Disturbances leave the contact within a
@@ -128,6 +129,17 @@ static bool has_ended(const ovr_simulation *sim, const ovr_march *march)
            !(sim->state.T < march->end - 1e-6 * step_of(sim, march));
 }
 
+/* Nodes that take as much work as those of the solver. */
+static double nodes_of(const ovr_simulation *sim)
+{
+    const ovr_present *other = sim->physics.solver;
+    size_t lines = 1, shown;
+    if (!other)
+        return (double)sim->now.n;
+    other->is->in_solve->solver->lines(other->own, &lines, &shown);
+    return (double)(OVR_SOLVER_WORK * lines * sim->now.n);
+}
+
 /*
  * Returns 20 times the work that `check` predicts for a run, in node cycles,
  * the program's start included.  A step takes 3.2 cycles, of a shear-thinning
@@ -141,7 +153,7 @@ static double predicted(const ovr_simulation *sim, const ovr_march *march)
     if (sim->lubricant.rheology != OVR_NEWTONIAN)
         factor *= 1.6;
     steps = fmax(least, (march->adaptive ? adaptive : 1) * steps);
-    return start + factor * cycles * steps * (double)sim->now.n;
+    return start + factor * cycles * steps * nodes_of(sim);
 }
 
 /* Stops a run that has used a minute of CPU time and 20 times the predicted

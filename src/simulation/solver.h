@@ -15,6 +15,9 @@
 
 #include "simulation/internal.h"
 
+/* Work of a cycle at a node relative to that of a line contact. */
+enum { OVR_SOLVER_WORK = 2 };
+
 typedef struct ovr_solver {
     /* Solves the steady film at T = 0 for the conditions sim->target. Fills the
      * outcome and returns the tolerance of R. */

@@ -73,6 +73,8 @@ void ovr_strip_cycle(ovr_strip *strip, int number, const ovr_strip_cycling *how)
         return;
     }
     ovr_strip_level *level = &strip->level[number], *coarse = level - 1;
+    if (number == strip->finest)
+        strip->cycled += (double)(level->grid.n * level->grid.lines);
     for (int s = 0; s < how->sweeps_before; s++)
         strip_relax(strip, level, &how->smoothing);
     restrict_to(strip, level, coarse);

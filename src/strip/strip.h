@@ -189,6 +189,7 @@ typedef struct ovr_strip {
     void *stop_data;
     int threads;
     ovr_team team;     /* team of `threads` threads */
+    double cycled;     /* cycles so far, times the nodes of the finest grid */
     double *work;      /* work arrays of kernels for all threads, see
                         * ovr_strip_work() */
     size_t work_size;  /* doubles in `work` per thread */

@@ -8,6 +8,7 @@
 
 #include "overroll/overroll.h"
 #include "physics/strip/strip.h"
+#include "simulation/solver.h"
 #include "support/test.h"
 
 /* The sums of the line contact are as exact as its mesh asks for, 1e-6. */
@@ -158,6 +159,41 @@ TEST(spikes_narrower_than_a_mesh_size)
                   "with the mean between nodes of domain.faces = gap");
     solved_by_gap("M = 9\nL = 45\n",
                   "implicit steps in time until the film was steady");
+}
+
+/* A plateau a thousand times as high as the film appears after T = 0. */
+static void plateau(void *data, double T, size_t n, const double *X, double *S)
+{
+    (void)data;
+    for (size_t i = 0; i < n; i++)
+        S[i] = T > 0 && X[i] > -0.5 && X[i] < 0.5 ? 100 : 0;
+}
+
+/* A step without a solution ends by its work, which a film that varies across
+ * counts for all lines.  The next step begins from the last film. */
+TEST(a_step_that_has_no_solution_ends_by_its_work)
+{
+    enum { MOST = 40 };
+    ovr_error err = {0};
+    ovr_case *c = read_case(CONTACT, STRIP);
+    ovr_run *run = run_of(c, NULL);
+    ovr_simulation *sim = (ovr_simulation *)ovr_run_get_info(run)->sim;
+    const double nodes = (double)(ovr_strip_of(sim)->lines * sim->now.n);
+    const double H = ovr_simulation_observation(sim)->H_cen;
+    ovr_simulation_surface(sim, plateau, NULL);
+    CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+    sim->limits.step_work = OVR_SOLVER_WORK * MOST * nodes;
+    assert_int_equal(ovr_simulation_step(sim, 0.01, &err), OVR_NOT_CONVERGED);
+    print_message("    %s\n", err.message);
+    assert_non_null(strstr(err.message, "within 20 times the predicted work"));
+    assert_in_range((int)(sim->limits.work_done / OVR_SOLVER_WORK / nodes),
+                    MOST, MOST + 2);
+    assert_true(ovr_simulation_state(sim)->T == 0);
+    ovr_simulation_surface(sim, NULL, NULL);
+    CHECK_OK(ovr_simulation_step(sim, 0.01, &err), &err);
+    CHECK_NEAR(ovr_simulation_observation(sim)->H_cen, H, 1e-6);
+    ovr_run_free(run);
+    ovr_case_free(c);
 }
 
 TEST(a_ridge_that_slides)

@@ -25,6 +25,7 @@
 #include "contact/curvature.h"
 #include "contact/film_formula.h"
 #include "physics/strip/strip.h"
+#include "simulation/solver.h"
 #include "simulation/steady.h"
 
 /* Most cycles of a start on the finest grid: a minute of CPU, or this. */
@@ -92,7 +93,7 @@ static void restore(ovr_strip_solver *s, const reached *r)
 static bool is_stopped(ovr_simulation *sim, const ovr_strip_solver *s,
                        const ovr_outcome *outcome)
 {
-    const double minute = 2e8; /* node cycles */
+    const double minute = ovr_minute_of_work(sim) / OVR_SOLVER_WORK;
     double most = fmin(MOST_CYCLES, minute / (double)(s->n * s->lines));
     return outcome->cycles >= most || ovr_hierarchy_stops(&sim->grids);
 }

@@ -24,6 +24,7 @@
 #include "multigrid/flow.h"
 #include "simulation/conflicts.h"
 #include "simulation/mirror.h"
+#include "simulation/solver.h"
 #include "simulation/steady.h"
 #include "strip/across.h"
 #include "strip/kernels.h"
@@ -84,10 +85,18 @@ static void fill_places(ovr_simulation *sim, ovr_strip_solver *s)
     sim->shapes.Y = s->Y[s->shown];
 }
 
+/* Adds the cycles since the last call to the work of the step. */
+static void count_work(ovr_simulation *sim, ovr_strip_solver *s)
+{
+    sim->grids.stopping.work += OVR_SOLVER_WORK * s->strip.cycled;
+    s->strip.cycled = 0;
+}
+
 /* An ovr_strip_stop. */
 static bool stops(void *data)
 {
     ovr_simulation *sim = data;
+    count_work(sim, ovr_strip_of(sim));
     return ovr_hierarchy_stops(&sim->grids);
 }
 
@@ -408,6 +417,10 @@ static bool advance(ovr_simulation *sim, ovr_strip_solver *s, double next,
         accept(sim, s, next);
         return true;
     }
+    if (ovr_strip_stops(&s->strip)) {
+        outcome->marked = outcome->spent = true;
+        return false;
+    }
     if (halvings < OVR_HALVINGS) {
         sim->statistics.substeps++;
         return advance(sim, s, last + (next - last) / 2, halvings + 1,
@@ -425,7 +438,9 @@ static bool attempt(ovr_simulation *sim, void *own, double next,
                     ovr_outcome *outcome)
 {
     ovr_strip_solver *s = own;
+    s->strip.cycled = 0;
     bool taken = advance(sim, s, next, 0, outcome);
+    count_work(sim, s);
     if (taken)
         sim->past.change = change_of(sim, s);
     ovr_strip_show(sim, s, s->shown);
