@@ -196,7 +196,7 @@ static double mean_of_film(const ovr_setup *s)
     return sqrt(squares * (LOOKS + 1)) / films;
 }
 
-/* Returns the range of sliding over the run. */
+/* Returns minimum and maximum of the sliding speed over the run. */
 static void range_of_sliding(const ovr_setup *s, double *least, double *most)
 {
     double end = ovr_setup_end(s);

@@ -74,9 +74,10 @@ static const struct {
      "by the\ncomposite roughness sqrt(Rq_1^2 + Rq_2^2) of both surfaces:\n"
      "    roughness on the grid   mean film thickness in |X| < 3/4\n"
      "    other roughness         minimum film thickness\n"
-     "Roughness on the grid is that of the features; feature waves longer than "
-     "the\ncontact are left out.  Other roughness is set by contact.Rq_1 and "
-     "contact.Rq_2\nor by boundary.Rq.  The key contact.lambda is something "
+     "Roughness on the grid is the roughness of the features; waves longer "
+     "than the\ncontact are omitted.  Other roughness is set by "
+     "contact.Rq_1, contact.Rq_2\nor boundary.Rq.  The key contact.lambda is "
+     "something "
      "else: the dimensionless\nspeed parameter of Venner, ten Napel & Bosma "
      "(1990)."},
     {"roughness",

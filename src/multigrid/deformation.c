@@ -352,7 +352,7 @@ static size_t max_nodes(const ovr_mlmi *plan)
     return maximum;
 }
 
-/* Allocates an array of the grid after `coarsenings`. */
+/* Allocates an array of the grid that is coarsened `coarsenings` times. */
 static double *allocate(const ovr_mlmi *plan, int coarsenings, ovr_arena *arena,
                         ovr_error *err)
 {

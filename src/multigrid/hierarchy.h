@@ -212,10 +212,10 @@ void ovr_hierarchy_operator(ovr_hierarchy *grids, const ovr_operator *op);
 void ovr_level_deform(const ovr_hierarchy *grids, const ovr_level *level,
                       double *P, double *w);
 
-/* Computes film and properties from P; the residual and the phase of the nodes;
- * or all of these. */
+/* Computes film thickness and properties from P; the residual and the phase of
+ * the nodes; or all of these. */
 void ovr_level_film(const ovr_hierarchy *grids, ovr_level *level);
-/* Computes film and properties from the present deformation. */
+/* Computes film thickness and properties from the present deformation. */
 void ovr_level_properties(const ovr_hierarchy *grids, ovr_level *level);
 void ovr_level_residual(const ovr_hierarchy *grids, ovr_level *level);
 void ovr_level_refresh(const ovr_hierarchy *grids, ovr_level *level);

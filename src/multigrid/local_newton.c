@@ -150,7 +150,7 @@ static void follow(const window *w, const double change[UNKNOWNS],
         }
 }
 
-/* Computes film, properties and flow from the present pressures. */
+/* Computes film thickness, properties and flow from the present pressures. */
 static void properties(window *w)
 {
     const ovr_lanes one = {NODES, NODES, 1};

@@ -79,9 +79,9 @@ void ovr_asperity_pressurized_row(const ovr_hierarchy *grids,
                                   const ovr_level *level, size_t i,
                                   ovr_newton_row *row);
 
-/* If cavitated nodes should become pressurized in several consecutive steps,
- * because the film ends elsewhere: assumes up to 128 nodes on either side to be
- * pressurized. */
+/* Assumes up to 128 nodes on either side of the film to be pressurized, if
+ * cavitated nodes should have become pressurized in several consecutive steps.
+ */
 void ovr_asperity_open(ovr_hierarchy *grids, const ovr_level *level,
                        const ovr_fields *f);
 

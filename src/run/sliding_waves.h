@@ -24,7 +24,7 @@ typedef struct ovr_smooth_film {
     double Rq;    /* b^2/R */
 } ovr_smooth_film;
 
-/* Computes the film of smooth surfaces; H as above. */
+/* Computes the film thickness of smooth surfaces; H as above. */
 ovr_status ovr_smooth_film_make(const ovr_contact *contact,
                                 const ovr_lubricant *lubricant, double H,
                                 ovr_arena *arena, ovr_smooth_film *to,
@@ -42,7 +42,8 @@ typedef struct ovr_standing_film {
     double lowest; /* largest decrease of H at the outlet, negative */
 } ovr_standing_film;
 
-/* Computes the film of a surface at rest while the other one moves. */
+/* Computes the film thickness of a surface at rest while the other one moves.
+ */
 ovr_status ovr_standing_film_make(const ovr_contact *contact,
                                   const ovr_lubricant *lubricant, double H,
                                   const ovr_still *surface, ovr_arena *arena,

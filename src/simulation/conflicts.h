@@ -52,7 +52,7 @@
     FEATURE(HEAT, "heat", "heat", "model", false, false, false)                \
     FEATURE(CONSERVING, "mass-conserving cavitation", "cavitation", "model",   \
             false, o->cavitation == OVR_CAVITATION_CONSERVING, false)          \
-    FEATURE(SUPPLY, "a supply that is a film", "supply", "model", false,       \
+    FEATURE(SUPPLY, "supplied lubricant layers", "supply", "model", false,     \
             false, false)                                                      \
     FEATURE(PASSES, "several passes", "passes", "number", false, false,        \
             s->passes->number > 1)                                             \

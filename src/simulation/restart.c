@@ -118,8 +118,8 @@ ovr_status ovr_simulation_visit_heights(ovr_simulation *sim, ovr_visit *visit,
     return visit(context, "S", sim->shapes.S, sim->now.n * sizeof(double), err);
 }
 
-/* Computes film and properties from the pressure, and the observation from
- * these. */
+/* Computes film thickness and properties from the pressure, and the observation
+ * from these. */
 void ovr_simulation_restored(ovr_simulation *sim)
 {
     if (!sim)

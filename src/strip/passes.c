@@ -188,9 +188,9 @@ void ovr_strip_relax_lines(ovr_strip *strip, ovr_strip_level *level,
 
 /* --------------------------------------------------------------- properties */
 
-/* Computes the film of whole rows with their halos, which the kernel processes
- * as one array of nodes. The kernel adds OVR_HALO vectors at the beginning and
- * one at the end. */
+/* Computes the film thickness of whole rows with their halos, which the kernel
+ * processes as one array of nodes. The kernel adds OVR_HALO vectors at the
+ * beginning and one at the end. */
 static void film_of(const pass *p, size_t from, size_t to)
 {
     const ovr_strip *strip = p->strip;

@@ -240,7 +240,7 @@ void ovr_strip_wedge(ovr_strip *strip, double speed, double time);
 /* Sets the weights of the characteristic scheme: only a0 is nonzero. */
 void ovr_strip_characteristic(ovr_strip *strip, double time);
 
-/* Computes film, properties and flow from P and H0. */
+/* Computes film thickness, properties and flow from P and H0. */
 void ovr_strip_refresh(ovr_strip *strip, ovr_strip_level *level);
 void ovr_strip_deform(ovr_strip *strip, ovr_strip_level *level, double *P,
                       double *w);

@@ -83,8 +83,8 @@ static const ovr_parameter feature_keys[] = {
      "roughness from the y axis towards +x; 90 deg: along rolling"},
     {"wavelength_across", SIZE, NULL, IN_FORM(wavelength_across), true,
      "[strip]",
-     "length of a second wave that crosses the first; distance across of the "
-     "dimples of a texture"},
+     "length of a second wave that crosses the first; distance of dimples of "
+     "a texture across rolling"},
     {"stagger", PLAIN(0, 1), "0", IN_FORM(stagger), true,
      "[strip]; shape = texture",
      "every second row of dimples is shifted by this share of "
@@ -116,7 +116,7 @@ static const ovr_parameter feature_keys[] = {
      "shape = profile", "column of the heights"},
     {"row", WHOLE(1, 10000000), NULL, IN_FEATURE(source.row), true,
      "shape = profile",
-     "row of an areal file, from 1; default: across its lay"},
+     "row of an areal file, from 1; default: middle line across the lay"},
     {"column", WHOLE(1, 10000000), NULL, IN_FEATURE(source.column), true,
      "shape = profile", "column of an areal file, from 1"},
     {"y", LENGTH(0, 1e9), NULL, IN_FEATURE(source.y), true, "shape = profile",

@@ -533,8 +533,8 @@ static void review_before(const ovr_setup *setup, ovr_listener *say, void *data)
              of->strain);
 }
 
-/* Writes the layers' data: A of a wave from A_top and the images with their
- * weights. */
+/* Writes the data of the layers: A_top, and depths and weights of the images
+ * that sum up to the compliance A(k). */
 static ovr_status open_file(void *own, const ovr_accompanied_run *run,
                             ovr_error *err)
 {

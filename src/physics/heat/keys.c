@@ -50,7 +50,9 @@ static const ovr_parameter keys[] = {
      "thermal expansion coefficient of the lubricant at p = 0, decreasing with "
      "pressure (compressive heating); none for an incompressible lubricant"},
     {"density_expansion", FLAG, "yes", AT(given.density_expands), true,
-     "model = lobatto", "no: density is that at the supply's temperature"},
+     "model = lobatto",
+     "no: the density is constant in temperature, as at the supply "
+     "temperature"},
 };
 
 const ovr_section ovr_heat_section = {

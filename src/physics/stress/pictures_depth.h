@@ -22,7 +22,7 @@ typedef struct ovr_depth_field {
     size_t residuals; /* number of depths with residual stresses, for both
                        * surfaces */
     const double *residual_z, *residual_s;
-    ovr_coated coated; /* layers on the body; none: their number is 0 */
+    ovr_coated coated; /* layers on the body; their number may be 0 */
     ovr_stress_options options;
     ovr_material_range range;
     double traction;   /* factor from the stored shear stress to Q; 0: no
