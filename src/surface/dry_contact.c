@@ -81,31 +81,54 @@ static double single_node_step(const ovr_dry_contact *of)
     return of->modulus * pi * (double)of->n / (2 * of->length * waves);
 }
 
-/* Computes the next conjugate direction; returns the step length. */
+/* Sets the search direction: the gap plus `keeps` times the last direction. */
+static void set_direction(const ovr_dry_contact *of, const double *p,
+                          const search *s, double keeps)
+{
+    for (size_t i = 0; i < of->n; i++)
+        s->along[i] = p[i] > 0 ? s->gap[i] + keeps * s->along[i] : 0;
+}
+
+/* Returns the product of gap and search direction. */
+static double descent(const ovr_dry_contact *of, const double *p,
+                      const search *s)
+{
+    double falls = 0;
+    for (size_t i = 0; i < of->n; i++)
+        if (p[i] > 0)
+            falls += s->gap[i] * s->along[i];
+    return falls;
+}
+
+/* Computes the next conjugate direction; returns the step length. If the energy
+ * increases in this direction, because nodes lost contact, the direction starts
+ * again from the gap. A negative step would make pressures negative. */
 static double next_direction(const ovr_dry_contact *of, const double *p,
                              search *s, bool begins)
 {
-    double norm = 0, falls = 0, bends = 0;
+    double norm = 0, bends = 0;
     for (size_t i = 0; i < of->n; i++)
         norm += p[i] > 0 ? s->gap[i] * s->gap[i] : 0;
-    double keeps = begins || !(s->norm > 0) ? 0 : norm / s->norm;
-    for (size_t i = 0; i < of->n; i++)
-        s->along[i] = p[i] > 0 ? s->gap[i] + keeps * s->along[i] : 0;
+    set_direction(of, p, s, begins || !(s->norm > 0) ? 0 : norm / s->norm);
+    double falls = descent(of, p, s);
+    if (!(falls > 0)) {
+        set_direction(of, p, s, 0);
+        falls = norm;
+    }
     s->norm = norm;
     deform(of, s->along, s->curve);
     centre(of->n, p, s->curve);
     for (size_t i = 0; i < of->n; i++)
-        if (p[i] > 0) {
-            falls += s->gap[i] * s->along[i];
+        if (p[i] > 0)
             bends += s->curve[i] * s->along[i];
-        }
     return bends > 0 ? falls / bends : single_node_step(of);
 }
 
-/* Applies the step. Returns true if a node came into contact; the next
- * direction then starts again from the gap. */
-static bool apply_step(const ovr_dry_contact *of, double far, const search *s,
-                       double *p)
+/* Applies the step, and `entry` times the step to nodes that come into contact.
+ * Returns true if there are such nodes; the next direction then starts again
+ * from the gap. */
+static bool apply_step(const ovr_dry_contact *of, double far, double entry,
+                       const search *s, double *p)
 {
     bool grown = false;
     for (size_t i = 0; i < of->n; i++) {
@@ -114,10 +137,19 @@ static bool apply_step(const ovr_dry_contact *of, double far, const search *s,
             p[i] = fmax(p[i] - far * s->along[i], 0);
         if (p[i] == 0 && s->gap[i] < 0) {
             grown = true;
-            p[i] -= far * s->gap[i];
+            p[i] -= entry * far * s->gap[i];
         }
     }
     return grown;
+}
+
+/* Returns the share of the step for nodes that come into contact. It is reduced
+ * after many steps, because nodes can enter and leave in a cycle. */
+static double entry_share(int steps)
+{
+    enum { MANY = 300 };
+    const double reduced = 0.3;
+    return steps < MANY ? 1 : reduced;
 }
 
 /* Returns the violation of complementarity of pressures and gaps, relative to
@@ -157,7 +189,7 @@ ovr_dry_state ovr_dry_contact_solve(const ovr_dry_contact *of, const double *z,
         if (state.found)
             break;
         double far = next_direction(of, p, &s, begins);
-        begins = apply_step(of, far, &s, p);
+        begins = apply_step(of, far, entry_share(state.steps), &s, p);
         scale_to(n, p, mean);
     }
     return state;

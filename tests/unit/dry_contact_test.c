@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Dry contact of a rough surface. */
 #include <math.h>
+#include <string.h>
 
 #include "support/test.h"
 
@@ -98,6 +99,52 @@ TEST(pressures_and_gaps_exclude_each_other)
         CHECK_NEAR(s.gap, gaps, 1e-7);
         print_message("p %g: %d steps, gap %.4f, area %.3f\n", mean, s.steps,
                       s.gap, s.area);
+    }
+    ovr_arena_release(&arena);
+}
+
+/* Wears the heights by their pressures under light loads, by `depth` at the
+ * most worn node. */
+static void wear(size_t n, const double *worn, double depth)
+{
+    double most = 0;
+    for (size_t i = 0; i < n; i++)
+        most = fmax(most, worn[i]);
+    for (size_t i = 0; i < n; i++)
+        z[i] -= depth * worn[i] / most;
+}
+
+/* Summits that are worn flat: their nodes touch and lift off with little change
+ * of pressure. These waves made the search end in a cycle of three states. */
+TEST(worn_summits_converge)
+{
+    enum { N = 256, WAVES = 100, PASSES = 30 };
+    static double worn[N];
+    ovr_dry_contact of = begin(N, 2, 2);
+    unsigned seed = 22;
+    double squares = 0;
+    of.enough = 1e-6;
+    memset(z, 0, sizeof z);
+    for (int w = 4; w < WAVES; w++) {
+        double phase = 2 * PI * next(&seed);
+        for (size_t i = 0; i < N; i++)
+            z[i] += pow(w, -1.3) * cos(2 * PI * w * (double)i / N + phase);
+    }
+    for (size_t i = 0; i < N; i++)
+        squares += z[i] * z[i] / N;
+    for (int pass = 0; pass < PASSES; pass++) {
+        memset(worn, 0, sizeof worn);
+        for (size_t i = 0; i < N; i++)
+            p[i] = 1;
+        for (double mean = 30; mean > 1e-3; mean /= pow(10, 0.25)) {
+            ovr_dry_state s = ovr_dry_contact_solve(&of, z, mean, p);
+            assert_true(s.found);
+            for (size_t i = 0; i < N; i++) {
+                assert_true(p[i] >= 0);
+                worn[i] += mean < 3 ? p[i] / mean : 0;
+            }
+        }
+        wear(N, worn, 0.04 * sqrt(squares));
     }
     ovr_arena_release(&arena);
 }

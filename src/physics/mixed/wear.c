@@ -38,7 +38,8 @@ ovr_status ovr_wear_take(ovr_wear *wear, const ovr_boundary_form *given,
         wear->before.z[k] = ovr_arena_take(arena, n, sizeof(double), err);
         wear->pair.z[k] = wear->now.z[k];
     }
-    if (ovr_rough_pair_reserve(&wear->pair, &wear->bears.table, arena, err))
+    if (ovr_rough_pair_reserve(&wear->pair, &wear->bears.table, arena, err) ||
+        ovr_asperity_table_take(&wear->spare, wear->pair.points, arena, err))
         return OVR_NO_MEMORY;
     wear->w = ovr_arena_take(arena, wear->pair.points, sizeof *wear->w, err);
     return ovr_arena_status(arena);
@@ -54,14 +55,19 @@ static void copy(const ovr_wear *wear, ovr_worn *to, const ovr_worn *from)
     }
 }
 
-/* Computes the contact model for the new heights. The table reuses its memory;
- * if there is no model, the last one is kept. */
+/* Computes the contact model for the new heights in the memory of the spare
+ * table. If there is no model, the last one is kept. */
 static void find_law(ovr_wear *wear)
 {
     ovr_arena none = ovr_arena_make(NULL); /* memory is already allocated */
     ovr_error err = {0};
-    if (ovr_rough_pair_law(&wear->pair, &wear->bears.table, &none, &err))
+    const ovr_asperity_table last = wear->bears.table;
+    if (ovr_rough_pair_law(&wear->pair, &wear->spare, &none, &err)) {
         wear->lost = true;
+    } else {
+        wear->bears.table = wear->spare;
+        wear->spare = last;
+    }
     ovr_arena_release(&none);
 }
 

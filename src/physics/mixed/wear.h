@@ -32,8 +32,9 @@ typedef struct ovr_worn {
 typedef struct ovr_wear {
     const ovr_boundary_form *given;
     double c[2];
-    ovr_rough_pair pair;    /* worn surfaces with the heights of `now` */
-    ovr_asperity_law bears; /* asperity contact model of the worn surfaces */
+    ovr_rough_pair pair;      /* worn surfaces with the heights of `now` */
+    ovr_asperity_law bears;   /* asperity contact model of the worn surfaces */
+    ovr_asperity_table spare; /* memory of the next model */
     ovr_worn before, now;
     double *w;            /* weights w_j of the last film */
     double share, change; /* asperity load share; its change in the last step */
