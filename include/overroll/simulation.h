@@ -217,14 +217,16 @@ typedef struct ovr_observation {
     double P_cen;     /* pressure at X = 0 */
     double P_max, X_P_max; /* nodal */
     double P_max_located, X_P_max_located;
-    bool P_max_resolved; /* false: the mean pressure two nodes away is less than
-                            two thirds of P_max */
+    bool P_max_resolved; /* false: P_unresolved is more than 2 % above P_max */
+    double P_unresolved, X_unresolved; /* height on finer grids, and position,
+                                          of the highest spike that the grid
+                                          does not resolve; 0: no spike */
     double P_spike,
         X_spike; /* nodal; last maximum at X > 0 that exceeds the preceding
                     minimum by more than 1e-3; NAN: none */
     double P_spike_located, X_spike_located;
-    bool P_spike_resolved; /* as P_max_resolved, for the spike; true without a
-                              spike */
+    bool P_spike_resolved; /* the mean pressure of the adjacent nodes is at
+                              least 90 % of the spike; true without a spike */
     double H0;
     double load;         /* integral of P */
     double load_error;   /* load error relative to the reference load */
@@ -419,6 +421,8 @@ typedef struct ovr_statistics {
                                temperature rise; 0: less than 0.05 */
     double averaged;        /* time up to which means are computed */
     bool P_max_unresolved;  /* the maximum of P_max is not resolved */
+    double P_unresolved, X_unresolved,
+        T_unresolved; /* largest P_unresolved, its position and time */
     ovr_observation extreme, where, when, mean;
     double H_mean_at_H_min; /* mean film thickness in |X| < 3/4 at the time of
                                the minimum of H_min_located */

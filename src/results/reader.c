@@ -456,10 +456,17 @@ ovr_status ovr_result_unresolved(ovr_result *r, ovr_arena *arena,
 {
     const char *const names[] = {"max_pressure", "max_pressure_resolved"};
     double *column[2];
-    size_t steps = r->info.steps, most = 0;
+    size_t steps = r->info.steps, most = 0, count;
+    const ovr_group_attribute *number;
     *unresolved = false;
     if (!find(r->column, r->columns, names[1]))
         return OVR_OK;
+    number = ovr_result_attributes(r, "summary", &count);
+    for (size_t k = 0; k < count; k++)
+        if (strcmp(number[k].name, "P_max_resolved") == 0) {
+            *unresolved = number[k].number == 0;
+            return OVR_OK;
+        }
     for (int k = 0; k < 2; k++) {
         column[k] = ovr_arena_take(arena, steps + 1, sizeof(double), err);
         if (!column[k])

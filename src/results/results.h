@@ -187,9 +187,9 @@ ovr_result_attributes(ovr_result *result, const char *path, size_t *count);
 ovr_status ovr_result_read(ovr_result *result, const char *path, size_t row,
                            ovr_units units, double *values, ovr_error *err);
 
-/* Reads whether the history flags its maximum pressure as not resolved by the
- * grid. Versions before 0.4.0 flag none. `arena` temporarily stores two
- * columns. */
+/* Reads whether the maximum pressure is flagged as not resolved by the grid: in
+ * the summary, or without one in the history at that maximum. Versions before
+ * 0.4.0 flag none. `arena` temporarily stores two columns. */
 ovr_status ovr_result_unresolved(ovr_result *result, ovr_arena *arena,
                                  bool *unresolved, ovr_error *err);
 

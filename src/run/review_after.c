@@ -103,7 +103,7 @@ static void warn_of_thin_film(const ovr_review *r, const ovr_statistics *total)
 static void warn_of_spike(const ovr_review *r, const ovr_statistics *total)
 {
     bool thins = r->setup->lubricant->rheology != OVR_NEWTONIAN;
-    ovr_words remedy = {""};
+    ovr_words remedy = {""}, place = {""};
     if (!total->P_max_unresolved)
         return;
     if (!thins)
@@ -111,12 +111,17 @@ static void warn_of_spike(const ovr_review *r, const ovr_statistics *total)
                                "shear-thin at such pressure gradients, or ");
     ovr_words_add(&remedy, "use a finer grid (domain.level = %d)",
                   r->setup->options->level + 1);
+    if (total->X_unresolved != total->where.P_max ||
+        total->T_unresolved != total->when.P_max)
+        ovr_words_add(&place, "at X = %.4g, T = %.4g", total->X_unresolved,
+                      total->T_unresolved);
     ovr_review_add(
         r, OVR_MESSAGE_WARNING,
         "the maximum pressure %.4g p_h at X = %.4g, T = %.4g is not resolved, "
-        "nor are stresses close to the surface: the pressure spike there is "
-        "two mesh sizes wide%s; %s",
+        "nor are stresses close to the surface: the pressure spike %s is "
+        "a few mesh sizes wide%s; %s",
         total->extreme.P_max, total->where.P_max, total->when.P_max,
+        place.text[0] ? place.text : "there",
         thins ? ""
               : ", and its height grows without limit on finer grids because "
                 "the lubricant is Newtonian",

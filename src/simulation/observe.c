@@ -30,15 +30,40 @@ double ovr_vertex(const double *X, const double *v, size_t i, double *value)
     return X[i] + shift;
 }
 
-/* Returns whether the mesh resolves the maximum of v at node i: on average, the
- * values two nodes away are at least two thirds of the maximum. At a surface
- * feature, the pressure of a Newtonian film has a logarithmic singularity;
- * there the ratio is about a half on any mesh. */
-static bool maximum_is_resolved(size_t n, const double *v, size_t i)
+/* Returns zero if the mesh resolves the maximum of P at node i: the mean of the
+ * adjacent nodes is at least 90 % of it. Otherwise returns the height expected
+ * on finer grids: the maximum and half its difference from that mean. At a
+ * surface feature, the pressure of a Newtonian film has a logarithmic
+ * singularity; there the ratio is about 0.6 on any mesh. */
+static double unresolved_height(const double *P, size_t i)
 {
-    double left = i > 1 ? v[i - 2] : v[0];
-    double right = i + 2 < n ? v[i + 2] : v[n - 1];
-    return !((left + right) / 2 < 2.0 / 3 * v[i]);
+    double step = P[i] - (P[i - 1] + P[i + 1]) / 2;
+    return step > 0.1 * P[i] ? P[i] + 0.5 * step : 0;
+}
+
+/* Sets the largest of these heights; `high` is the node of P_max. */
+static void observe_unresolved(const ovr_solution *now, size_t high,
+                               ovr_observation *o)
+{
+    const double *P = now->P;
+    size_t highest = high;
+    o->P_unresolved = unresolved_height(P, high);
+    for (size_t i = 1; o->maxima > 1 && i + 1 < now->n; i++) {
+        if (!(P[i] > P[i - 1] && P[i] >= P[i + 1]))
+            continue;
+        double height = unresolved_height(P, i);
+        if (height > o->P_unresolved) {
+            o->P_unresolved = height;
+            highest = i;
+        }
+    }
+    o->X_unresolved = now->X[highest];
+    o->P_max_resolved = ovr_is_resolved(o->P_max, o->P_unresolved);
+}
+
+bool ovr_is_resolved(double P_max, double P_unresolved)
+{
+    return !(P_unresolved > 1.02 * P_max);
 }
 
 int ovr_prominent_maxima(size_t n, const double *P, size_t *last)
@@ -186,16 +211,16 @@ static void observe_pressure(const ovr_simulation *sim, ovr_observation *o)
     o->P_max = P[high];
     o->X_P_max = sim->now.X[high];
     o->X_P_max_located = ovr_vertex(sim->now.X, P, high, &o->P_max_located);
-    o->P_max_resolved = maximum_is_resolved(n, P, high);
     o->P_cen = ovr_value_at(&sim->now, P, 0);
     o->maxima = maxima;
+    observe_unresolved(&sim->now, high, o);
     o->X_cavitation = sim->now.X[film_end(sim)];
     o->P_spike = o->X_spike = NAN;
     o->P_spike_resolved = true;
     o->P_spike_located = o->X_spike_located = NAN;
     if (maxima >= 2 && exit * sim->now.X[spike] > 0) {
         o->P_spike = P[spike];
-        o->P_spike_resolved = maximum_is_resolved(n, P, spike);
+        o->P_spike_resolved = !(unresolved_height(P, spike) > 0);
         o->X_spike = sim->now.X[spike];
         o->X_spike_located = ovr_vertex(sim->now.X, P, spike,
                                         &o->P_spike_located);
@@ -264,6 +289,7 @@ static void withhold(ovr_observation *o)
     o->sliding = given.sliding;
     o->residual = given.residual;
     o->H_cen = o->H_mean = o->lambda_ratio = NAN;
+    o->P_unresolved = 0;
 }
 
 void ovr_observe_line(ovr_simulation *sim, ovr_observation *o)
@@ -402,8 +428,12 @@ void ovr_statistics_take(ovr_statistics *s, const ovr_observation *o,
     s->averaged = o->T;
     if (s->when.H_min_located == o->T)
         s->H_mean_at_H_min = o->H_mean;
-    if (s->when.P_max == o->T)
-        s->P_max_unresolved = !o->P_max_resolved;
+    if (first || o->P_unresolved > s->P_unresolved) {
+        s->P_unresolved = o->P_unresolved;
+        s->X_unresolved = o->X_unresolved;
+        s->T_unresolved = o->T;
+    }
+    s->P_max_unresolved = !ovr_is_resolved(s->extreme.P_max, s->P_unresolved);
     if (o->marked)
         ovr_statistics_flag(s, o);
 }

@@ -53,6 +53,10 @@ const double *ovr_wall_stress(const ovr_simulation *sim, int surface,
 /* Sets the pointers of the public state to the solution. */
 void ovr_publish_state(ovr_simulation *sim);
 
+/* Returns whether the maximum pressure is resolved, where P_unresolved is the
+ * height of an unresolved spike on finer grids; 0: no such spike. */
+bool ovr_is_resolved(double P_max, double P_unresolved);
+
 /* Adds an observation to the extremes and means of the run; sets all to
  * unknown; returns the address of one of them. */
 void ovr_statistics_take(ovr_statistics *s, const ovr_observation *o,

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A maximum pressure in a spike two mesh sizes wide is marked as not resolved in
-# the report, JSON, the file, pictures and stresses.  The pressure of a
+# A maximum pressure in a spike a few mesh sizes wide is marked as not resolved
+# in the report, JSON, the file, pictures and stresses.  The pressure of a
 # Newtonian film at a dent is singular like the logarithm of the distance: the
 # maximum grows on every level.  With Eyring's law it converges.
 . "$TOP/tests/support/cli.sh"
@@ -45,19 +45,23 @@ d, e = read("eyring.8"), read("eyring.9")
 assert abs(e / d - 1) < 0.03, (d, e)
 END
 
-# By the mean of the gap the steady maximum is in the centre; by the logarithmic
-# mean it is the spike at the outlet, which is not resolved either.
+# By the mean of the gap the steady maximum is in the centre on level 7, and the
+# spike at the outlet on level 9.  Where the spike is lower, it is resolved.
 expect 0 "$OVERROLL" run newton.ini --level 7 -q -o newton.h5 --force \
     --set output.every=1 --set stress.surface=1 --set domain.faces=gap
 "$PYTHON" - <<'END' || fail "the file"
 import h5py, numpy
 f = h5py.File("newton.h5", "r")
 P, flag = f["pressure"][...], f["history/max_pressure_resolved"][...]
+def resolved(P):
+    """No maximum is more than 10 % above the mean beside it and, by half the
+    difference, more than 2 % above the largest pressure."""
+    up = P[1:-1] - (P[:-2] + P[2:]) / 2
+    top = (P[1:-1] > P[:-2]) & (P[1:-1] >= P[2:]) & (up > .1 * P[1:-1])
+    return not (top & (P[1:-1] + up / 2 > 1.02 * P.max())).any()
 for k in range(len(P)):
-    i = P[k].argmax()
-    resolved = (P[k, i - 2] + P[k, i + 2]) / 2 >= 2 / 3 * P[k, i]
-    assert flag[k] == resolved, k
-assert flag[0] == 1 and flag[P.max(axis=1).argmax()] == 0
+    assert flag[k] == resolved(P[k]), k
+assert flag[0] == 0 and flag.any() and flag[P.max(axis=1).argmax()] == 0
 assert f["summary"].attrs["P_max_resolved"] == 0
 END
 
@@ -127,6 +131,60 @@ END
 expect 0 "$OVERROLL" run newton.ini --level 6 -q -o half.h5 --set time.end=11
 expect 0 "$OVERROLL" resume half.h5 --set time.end=13 -q --json
 contains out '"P_max_resolved": false'
+
+# A lower spike that passes the maximum on finer grids is not resolved either:
+# the maximum of this film is 0.9975 p_h up to level 10, and its spike at most
+# 0.84 p_h, but 1.28 p_h on level 11.
+expect 0 "$OVERROLL" steady --M 50 --L 20 --level 8 --json
+contains out '"P_max_resolved": false'
+contains err 'the pressure spike at X = 0.95.* wide'
+number P_max >low
+expect 0 "$OVERROLL" steady --M 50 --L 20 --level 11 --json
+number P_max >high
+awk '{ getline finer <"high"; exit !($1 < 1 && finer > 1.2 * $1) }' low ||
+    fail "the spike does not grow: $(cat low high)"
+# That of M = 20, L = 10 converges to 0.888 p_h (composite_test).
+for level in 7 8 9; do
+    expect 0 "$OVERROLL" steady --M 20 --L 10 --level $level --json
+    contains out '"P_max_resolved": true'
+    ! grep -q 'not resolved' err || fail "M = 20, L = 10 is marked"
+done
+
+# The spike of another step: on level 6 the maximum of the run is in the centre,
+# on level 7 it is a spike at an earlier time.
+cat >steps.ini <<'END'
+[roller_bearing]
+roller = 14.65 mm
+rollers = 12
+length = 17.28 mm
+inner = 83.61 mm
+clearance = 42.7 um
+load = 17.91 kN
+speed_inner = 3799 rpm
+contact = inner
+[contact]
+modulus = 226 GPa
+[lubricant]
+viscosity = 25 mPa.s
+alpha = 18 1/GPa
+[feature f]
+shape = dent
+depth = 0.4 um
+width = 0.4
+start = -6
+[time]
+end = 12
+END
+for level in 6 7; do
+    expect 0 "$OVERROLL" run steps.ini --level $level --json --force \
+        -o steps.h5
+    contains out '"P_max_resolved": false'
+    number P_max_overall >steps.$level
+done
+awk '{ getline finer <"steps.7"; exit !(finer > 1.2 * $1) }' steps.6 ||
+    fail "the spike does not grow: $(cat steps.6 steps.7)"
+expect 0 "$OVERROLL" view steps.h5 -o steps.html
+contains steps.html 'maximum pressure not resolved'
 
 # Pictures
 expect 0 "$OVERROLL" view newton.h5 -o newton.html

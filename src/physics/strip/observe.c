@@ -107,6 +107,7 @@ typedef struct lines {
     double sum[MEANS];
     double Rq, H_mean, H_cen, P_cen; /* sums of squares */
     double H_cen_least, H_cen_most;
+    double P_unresolved, X_unresolved; /* largest height of a spike */
     ovr_observation low, high;  /* observations with the extremes at nodes */
     size_t low_line, high_line; /* lines with the extremes between nodes */
 } lines;
@@ -130,6 +131,10 @@ static void add_line(ovr_strip_solver *s, const ovr_observation *o, size_t j,
         all->low = *o;
     if (o->P_max > all->high.P_max)
         all->high = *o;
+    if (o->P_unresolved > all->P_unresolved) {
+        all->P_unresolved = o->P_unresolved;
+        all->X_unresolved = o->X_unresolved;
+    }
     if (all->low_line == s->lines || low[j] < low[all->low_line])
         all->low_line = j;
     if (all->high_line == s->lines || high[j] > high[all->high_line])
@@ -200,7 +205,9 @@ static void set_extremes(ovr_strip_solver *s, const lines *all,
     o->P_max = high->P_max;
     o->X_P_max = high->X_P_max;
     o->X_P_max_located = high->X_P_max_located;
-    o->P_max_resolved = high->P_max_resolved;
+    o->P_unresolved = all->P_unresolved;
+    o->X_unresolved = all->X_unresolved;
+    o->P_max_resolved = ovr_is_resolved(o->P_max, o->P_unresolved);
     o->P_max_located = vertex_across(s, s->located[1], all->high_line,
                                      &o->more[OVR_STRIP_Y_MAX]);
     if (o->H_min_located < s->least[0]) {
