@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A headless Chromium, driven through ChromeDriver's own protocol (W3C
-WebDriver: JSON over HTTP): nothing but Python is needed."""
+"""Drives a headless Chromium through ChromeDriver's protocol (W3C WebDriver:
+JSON over HTTP), with only Python."""
 import base64
 import json
 import shutil
@@ -86,7 +86,8 @@ class Browser:
             {"type": "pointer", "id": "mouse", "actions": actions}]})
 
     def size(self, width, height):
-        """A viewport of any size: windows are 500 pixels wide at least."""
+        """Sets a viewport of any size; windows are at least 500 pixels
+        wide."""
         self.call("POST", "/goog/cdp/execute", {
             "cmd": "Emulation.setDeviceMetricsOverride",
             "params": {"width": width, "height": height,

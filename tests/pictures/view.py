@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Drives the pages made by view.sh in the folder given."""
+"""Drives the pages that view.sh wrote to the given folder."""
 import re
 import sys
 import time
@@ -19,7 +19,7 @@ def shown(browser):
 
 
 def numbers(text):
-    """'x = 1.2 mm  p = 3 GPa' as {'x': 1.2, 'p': 3.0} in SI units."""
+    """Parses 'x = 1.2 mm p = 3 GPa' to values in SI units by name."""
     scale = {"mm": 1e-3, "µm": 1e-6, "nm": 1e-9, "GPa": 1e9, "MPa": 1e6,
              "kPa": 1e3, "": 1}
     text = text.replace("\u2212", "-").replace("roughness", "s =")
@@ -28,7 +28,7 @@ def numbers(text):
 
 
 def painted(browser, canvas):
-    """How many different colours a canvas shows."""
+    """Returns the number of different colours of a canvas."""
     return browser.run("""
         const c = document.querySelectorAll("canvas")[arguments[0]];
         const d = c.getContext("2d").getImageData(0, 0, c.width, c.height).data;
@@ -54,7 +54,7 @@ def load(browser, page):
 
 
 def hover(browser, file, shot, number=0):
-    """Values at three places against the file, in SI units."""
+    """Compares values at three positions with the file, in SI units."""
     x = file["x"][:]
     for part in (0.35, 0.6, 0.8):
         left, top, width, height = box(browser, "canvas.plot")
@@ -101,8 +101,8 @@ def choose(browser, name, value):
 
 
 def stresses(browser):
-    """The field under the film is that of the file, on both scales; the mark
-    is at its largest value."""
+    """The field below the film equals the file's, on both scales; the mark is
+    at its maximum."""
     file = h5py.File(f"{folder}/stress.h5")
     group, b = file["stress/surface_1"], file.attrs["scale_length"]
     x, z = group["x"][:] / b, group["depth"][:] / b
@@ -137,7 +137,7 @@ def stresses(browser):
 
 
 def layered(browser):
-    """White lines where one layer ends and the next begins, on both scales."""
+    """White lines mark the interfaces of layers on both scales."""
     lines = []
     for scale in ("linear", "log"):
         choose(browser, "depth", scale)
@@ -169,8 +169,8 @@ def layered(browser):
 
 
 def yielded(browser):
-    """Below the film stands what yielding left, where the material is now; it
-    moves with the surface."""
+    """Plastic strains are drawn below the film at the present position of the
+    material; they move with the surface."""
     file = h5py.File(f"{folder}/yields.h5")
     group = file["plastic/surface_1"]
     b = file.attrs["scale_length"]
@@ -211,7 +211,8 @@ def yielded(browser):
 
 
 def temperatures(browser):
-    """Three curves under the film; what is said of them is in the file."""
+    """Three temperature curves are drawn below the film; the values in their
+    texts are in the file."""
     file = h5py.File(f"{folder}/hot.h5")
     fields = [file[f"temperature_{name}"] for name in ("1", "2", "middle")]
     shot = len(file["time"]) - 1
@@ -249,8 +250,8 @@ def plays(browser):
 
 
 def ink_at_edge(browser, canvas):
-    """Whether anything is drawn in the last two columns of pixels above the
-    boxes, where legends are."""
+    """True if anything is drawn in the last two pixel columns above the boxes,
+    where legends are."""
     return browser.run("""
         const c = document.querySelectorAll("canvas")[arguments[0]];
         const g = c.getContext("2d"), d = g.getImageData(c.width - 2, 0, 2, 16).data;
@@ -259,8 +260,8 @@ def ink_at_edge(browser, canvas):
 
 
 def phone():
-    """390 px wide, upright: legends are whole. On its side: the controls are
-    on the screen without scrolling."""
+    """On an upright screen 390 px wide, legends are complete. On a horizontal
+    one, controls are visible without scrolling."""
     browser = Browser(500, 844)
     try:
         load(browser, "frame.html")
@@ -280,8 +281,8 @@ def phone():
 
 
 def controls_in_view():
-    """Temperatures or stresses below leave the controls on the screen; on a
-    phone the words above the stresses do not meet."""
+    """With temperatures or stresses below the film, controls remain visible;
+    on a phone the texts above the stresses do not overlap."""
     browser = Browser(1300, 900)
     try:
         for page in ("page.html", "hot.html", "stress.html", "two.html"):

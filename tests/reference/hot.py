@@ -1,25 +1,26 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The independent model of model.py with temperatures of film and surfaces.
 
-It shares with overroll the equations of heat in overroll-theory(7) and the
-discrete film of model.py, no more.  Its own are:
+It shares with overroll only the heat equations of overroll-theory(7) and the
+discrete film thickness of model.py.  The following is different:
 
-  - temperatures across the film by Chebyshev collocation in 17 points, in the
-    strong form, walls by their own rows (overroll: the weak form, 7 points);
-  - flow and shear of a film whose viscosity varies across it by Gauss's
-    quadrature of its law of flow, also where sliding and pressure gradient thin
-    it together (overroll: Dowson's integrals times the uniform film's factor,
-    which the case's `dowson` asks for here too);
-  - the memory of a surface is the integral of its flux over 1/sqrt(time ago)
-    along the material's path, taken from the fluxes of all steps (overroll:
-    fields that fade and ride along);
-  - under a layer that memory is the one of Carslaw and Jaeger's images,
-    integrated by quadrature (overroll: the inverted impedance, fitted);
-  - a step's film and temperatures are solved in turn until both stay
-    (overroll: viscosities follow by what temperatures did before).
+  - Temperatures across the film: Chebyshev collocation at 17 points in the
+    strong form, with separate rows for the surfaces (overroll: weak form, 7
+    points).
+  - Flow and shear of a film whose viscosity varies across it: Gauss quadrature
+    of the rheological model, also where sliding and pressure gradient thin the
+    film together (overroll: Dowson's integrals multiplied by the factor of the
+    uniform film, which the entry `dowson` of a case selects here too).
+  - The thermal memory of a surface: the integral of its heat flux divided by
+    sqrt(time since then) along the path of the material, from the fluxes of
+    all steps (overroll: convected fields that decay).
+  - The memory under a layer: Carslaw and Jaeger's images, integrated by
+    quadrature (overroll: fit to the inverse transform of the impedance).
+  - Film and temperatures of a step are solved alternately until both converge
+    (overroll: viscosities are extrapolated from previous temperatures).
 
-Both go along the paths of the layers in time, to first order.  Surfaces move
-the same way, and fast: heat along them is left out.
+Both models follow the paths of the layers in time, to first order.  Surfaces
+move fast in the same direction: heat conduction along them is neglected.
 """
 import math
 

@@ -1,24 +1,25 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Hot films in time against the independent model of hot.py.
+"""Hot films in time, compared with the independent model of hot.py.
 
 usage: hot_mixes.py fixed [EVERY] | random SEED COUNT
 
-Each case is run by $OVERROLL in steps of D, all steps stored, and gone through
-by the model.  What is told are the largest differences over the run: of P in
-ph, of H over H, or over H_cen where H is less, of the coefficient of friction,
-and of the temperatures of film and surfaces under pressure (above 0.05 ph, for
-oil that flows back and out of the inlet both only guess at) over the largest
-rise, or over 5 K where that is less (a film that hardly slides is warmed and
-cooled by how it is compressed, within a few nodes); but not in the first steps,
-for their start differs by how a steady film's temperatures are found (overroll:
-to first order in D, the model: to second).
+$OVERROLL runs each case with steps of D and stores all steps; the model
+computes the same times.  The maximum differences over the run are printed: of
+P in p_h; of H relative to H, or to H_cen where H is smaller; of the friction
+coefficient; of the temperatures of film and surfaces.  Temperatures are
+compared at pressures above 0.05 p_h, because both models are inaccurate for
+backflow out of the inlet.  They are relative to the maximum rise, but at least
+to 5 K: a film that hardly slides is heated and cooled by compression within a
+few nodes. The first steps are omitted, because the temperatures of the steady
+starts differ (overroll: first order in D, model: second order).
 
-The model's film is exact.  What is left is of first order in D and dT (feet,
-lag, a steady start whose oil does not flow back: on level 5 half of level 4's),
-and overroll's approximation where sliding and pressure gradient thin a film
-that is unevenly hot: 2e-3 of p_h, 5e-4 of the film.  A mix that `dowson` says
-so of has that in the model too.
+The model's film is exact.  The remaining difference is of first order in D and
+dT (departure points, lag, a steady start without backflow; at level 5 it is
+half of that at level 4).  It includes overroll's approximation for sliding and
+pressure gradient that thin a film of nonuniform temperature: 2e-3 of p_h and
+5e-4 of the film thickness.  Cases with `dowson` have this approximation in the
+model too.
 """
 import math
 import os

@@ -1,21 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Metal that yields below a rolling contact, by finite elements.
+"""Plastic deformation below a rolling contact, by finite elements.
 
-An independent counterpart of overroll's [plastic], with a discretization of its
-own; what it shares is the rule that a step's film is solved with the surface
-that the film of the step before left.  It has
+An independent counterpart of overroll's [plastic] with another discretization.
+Both solve the film of a step with the surface that the preceding film left.
+The model has
 
-  - rectangles of bilinear displacement, a plastic strain each, in a block that
-    is periodic along x and held far below: in 12 b where a bump flows, in the
-    period that overroll has where the smooth contact does; no Green's function;
-    its stiffness is solved for each wave that the mesh has;
+  - rectangles with bilinear displacements and one plastic strain each, in a
+    block that is periodic along x and fixed far below.  The period is 12 b if
+    a bump deforms plastically, and overroll's period if the smooth contact
+    does. There is no Green's function; the stiffness is solved for each wave
+    of the grid.
   - elastic stresses of strips of uniform pressure (K. L. Johnson, Contact
-    Mechanics, 2.5), as means of an element by Gauss's points;
-  - backward Euler steps of von Mises's flow, all elements at once by Newton's
-    method, no return in turn with equilibrium;
-  - the surface between nodes by its waves.
+    Mechanics, 2.5), averaged over each element by Gauss quadrature.
+  - backward Euler steps of von Mises plasticity, for all elements at once by
+    Newton's method, without alternating return and equilibrium.
+  - the surface between nodes by its Fourier series.
 
-Lengths in b, stresses in p_h, strains over p_h/E*; z into the body.
+Lengths in b, stresses in p_h, strains in p_h/E*; z points into the body.
 """
 import math
 

@@ -1,26 +1,30 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Bodies that yield, mixed with other physics, against model.py and metal.py.
+"""Plastic bodies with other models, compared with model.py and metal.py.
 
 usage: metal_mixes.py fixed [EVERY] | random SEED COUNT
 
-Each case is run by $OVERROLL, every step stored, and gone through by the model,
-whose metal is an own discretization, on elements of 1.4 and of 0.7 meshes of
-the film.  As long as no stress comes near yield films and pressures are the
-same to what stopping leaves.  For the whole run are told, of the finer model,
+$OVERROLL runs each case and stores every step.  The model computes the same
+times with its own discretization of the bodies, in elements of 1.4 and of 0.7
+mesh sizes of the film.  While all stresses are far below yield, films and
+pressures are equal except for the stopping tolerance.  For the whole run the
+differences from the finer model are printed:
 
-    P           largest difference over nodes and steps, p_h
-    H           of H over H, or over H_cen where H is less
-    profile     largest difference of what the surface has sunk, over the most
-    cumulative  of all that has flowed, in the mean square over its own
-    residual_x, _y  of residual stresses, likewise
+    P           maximum difference over nodes and steps, p_h
+    H           difference relative to H, or to H_cen where H is smaller
+    profile     maximum difference of the plastic displacement of the surface,
+                relative to its maximum
+    cumulative  root mean square difference of the accumulated plastic strain,
+                relative to its root mean square
+    residual_x, _y  the same for residual stresses
 
-(metal as the last film met it; maps from 2 D down: at a surface above steep
-strains no mesh of these resolves them) and what the two models differ by, which
-is the most that is allowed.
-Errors are of second order in the mesh and the layers, but of constants of their
-own: of such an error e D^2 the models differ by 1.5 e D^2, of which the finer
-one has 0.5 and overroll, whose layers are a mesh thick, about e D^2.
+They refer to the bodies after the last step.  Maps begin at a depth of 2 D,
+because none of the grids resolves a surface above steep strains.  The
+difference between the two models is printed too, and is the maximum allowed
+difference. Errors are of second order in mesh size and layers, with different
+constants: for an error e D^2 the models differ by 1.5 e D^2, the finer one has
+an error of 0.5 e D^2, and overroll, whose layers are one mesh size thick,
+about e D^2.
 """
 import math
 import os

@@ -1,19 +1,19 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Mixes of physics against the independent model of model.py.
+"""Combinations of physical models, compared with the independent model.py.
 
 usage: mixes.py fixed [EVERY] | random SEED COUNT
 
-Each mix is run by $OVERROLL, every step stored, and gone through by the model
-at the same times; what is told are the largest differences over all nodes and
-steps, of P in p_h, and of H over H, or over H_cen where H is less.
+$OVERROLL runs each case and stores every step; the model computes the same
+times.  The maximum differences over all nodes and steps are printed: of P in
+p_h, and of H relative to H, or to H_cen where H is smaller.
 
-Both have the same discrete equations, so that what is left are the stopping
-tolerance (1e-11 of the flow), rounding, and what the program alone
-approximates: elastic layers by images (those of one layer fit to 1e-9 of A and
-better, `check` tells it), and Carreau's law by its table (1e-3 of the flow at
-most).  The deformation integrals are taken with order 16 and range 32, with
-which they are exact on these grids.
+Both have the same discrete equations.  The remaining differences are the
+stopping tolerance (1e-11 of the flow), rounding, and approximations of the
+program: elastic layers by images (one layer: within 1e-9 of A, `check` prints
+the error), and Carreau's model by its table (at most 1e-3 of the flow).  The
+deformation integrals have order 16 and range 32, which are exact on these
+grids.
 """
 import math
 import os

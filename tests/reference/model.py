@@ -1,21 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """An independent model of the contact in time: dense Newton, small grids.
 
-It shares with overroll what overroll-theory(7) says of the discrete equations
-(and of conserved oil the comment of src/multigrid/content.h), so that both have
-the same solution and may be compared to what rounding and stopping leave; from
-that text it was written, not from the sources.  Its own are all else:
+It shares with overroll the discrete equations of overroll-theory(7) and, for
+mass-conserving cavitation, of the head comment of src/multigrid/content.h.
+Therefore both have the same solution except for rounding and stopping
+tolerance.  The model was written from these texts, not from the sources.  The
+following is different:
 
-  - the deformation is a full matrix, no multigrid;
-  - a film that shears thin is integrated across by Gauss's quadrature of the
-    stress over the film, not by closed forms or tables;
-  - layers are solved as a boundary value problem for each wave number, and
-    brought to X by quadrature, not by images;
-  - what is wet or dry is one unknown, x: P = max(x, 0), and max(-x, 0) is the
-    oil that lacks, or the excess of Reynolds' equation (a semismooth Newton
-    method), no sets, no sweeps;
-  - the whole matrix of derivatives comes by complex steps;
-  - steps follow the times that the run took, with a past of its own.
+  - The deformation is a full matrix, without multigrid.
+  - Shear-thinning films are integrated across by Gauss quadrature of the
+    stress, without closed forms or tables.
+  - Layers are solved as a boundary value problem for each wave number and
+    transformed to X by quadrature, without images.
+  - One unknown x determines whether a node is cavitated: P = max(x, 0), and
+    max(-x, 0) is the missing lubricant or the excess of the Reynolds equation
+    (a semismooth Newton method).  There are no node sets and no sweeps.
+  - The whole Jacobian is computed by complex steps.
+  - Steps end at the times of the run, with the model's own history.
 """
 import math
 

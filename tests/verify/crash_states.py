@@ -53,7 +53,8 @@ class File:
         self.note(min(was, length), max(was, length))
 
     def crashed(self, chance, old):
-        """One state: `old` is how likely a piece is the synced one."""
+        """Creates one state; `old` is the probability that a page or name is
+        the synced one."""
         length = len(self.synced)
         if self.lengths and chance.random() >= old:
             length = chance.choice([self.lengths[-1]] * 3 + self.lengths)

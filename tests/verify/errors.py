@@ -93,7 +93,8 @@ def gear(r):
 
 
 def between_rollers(r, slip=None, load=None, rheology=True):
-    """[contact] and [lubricant] with slip drawn, given, or none."""
+    """Draws [contact] and [lubricant]; the slide-to-roll ratio is drawn, given
+    or zero."""
     if slip is None:
         slip = 0 if r.random() < .3 else r.choice([-1, 1])*log_between(r, .05,
                                                                        1)
@@ -197,12 +198,13 @@ def um(r, key, low, high):
 
 
 def feature(end, shape, *lines):
-    """A feature, and the end of the run."""
+    """Draws a feature and the end time of the run."""
     return ["[feature f]", f"shape = {shape}", *lines, "[time]", f"end = {end}"]
 
 
 def case(seed, kinds=COMMON):
-    """A case with common conditions and a feature of one of these kinds."""
+    """Draws a case with common conditions and a feature of one of these
+    kinds."""
     r = random.Random(seed)
     kind = r.choice(kinds)
     slip = 0 if r.random() < 0.3 else r.choice([-1, 1]) * log_between(r, .05, 1)
@@ -250,7 +252,7 @@ def case(seed, kinds=COMMON):
 
 
 def history(program, folder, said, *settings):
-    """The columns of a run; None where it has no solution."""
+    """Returns the columns of a run, or None if it has no solution."""
     out = os.path.join(folder, "out.h5")
     table = os.path.join(folder, "out.csv")
     if said["transient"]:
@@ -272,7 +274,7 @@ def history(program, folder, said, *settings):
 
 
 def at(h, key, T):
-    """Linear interpolation in time."""
+    """Interpolates linearly in time."""
     if len(h["time"]) == 1:
         return h[key][0]
     k = min(max(bisect.bisect(h["time"], T), 1), len(h["time"]) - 1)
@@ -303,12 +305,14 @@ def errors(ours, fine, ambient):
 
 
 def expected(e):
-    """The largest of the errors for which `check` has one expected error."""
+    """Returns the maximum of the errors that one expected error of `check`
+    covers."""
     return max(e[key] for key in EXPECTED if key in e)
 
 
 def beside(program, folder, ours, said, ambient):
-    """Errors beside the first finer level that is far enough below them."""
+    """Returns the errors relative to the first finer level whose own error is
+    small enough."""
     level, e = said["level"], {}
     grid = ("time.step=grid",) if said["transient"] else ()
     for finer in (1, 2) if level > 6 else (2,):
@@ -321,7 +325,7 @@ def beside(program, folder, ours, said, ambient):
 
 
 def distribution(all_of):
-    """Median, nine of ten, and the worst of each error."""
+    """Prints median, 90 % quantile and maximum of each error."""
     for key in COLUMNS:
         of = sorted(e[key] for e in all_of if key in e)
         if of:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Drives the page of the program (make web) in the folder given, where the
-native program has left what the page must find too."""
+"""Drives the page of the program (make web) in the given folder, which
+contains results of the native program for comparison."""
 import base64
 import json
 import os
@@ -39,7 +39,7 @@ def settled(browser, seconds=120):
 
 
 def put(browser, case):
-    """Types a case into the text."""
+    """Enters a case as text."""
     browser.run("""const t = document.getElementById('text');
         t.value = arguments[0]; t.dispatchEvent(new Event('input'));""", case)
     time.sleep(0.6)
@@ -47,7 +47,7 @@ def put(browser, case):
 
 
 def asks(browser, args, files=None, keep=()):
-    """A command line in a worker of the page's own making."""
+    """Runs a command line in a worker that the page creates."""
     browser.run("""window.answer = null;
         const [args, files, keep] = arguments;
         window.overroll(args, { files, keep }).then((a) => {
@@ -86,7 +86,7 @@ def is_of_life(name):
 
 
 def same(ours, theirs, name, tolerance):
-    """All numbers agree, to a share of the larger of both and of 1e-3."""
+    """All numbers agree, relative to the larger of both and 1e-3."""
     worst = 0
     for key, a in ours.items():
         b = theirs[key]
@@ -104,7 +104,7 @@ def same(ours, theirs, name, tolerance):
 
 
 def same_file(a, b, name, tolerance):
-    """All arrays of numbers in two files agree, to a share of their largest."""
+    """All numeric arrays in two files agree, relative to their maximum."""
     worst, seen = 0, 0
 
     def visit(path, x):
@@ -133,7 +133,8 @@ def same_file(a, b, name, tolerance):
 
 
 def agreement(browser):
-    """What the native program, set base, left as NAME.json and NAME.h5."""
+    """Compares the page with NAME.json and NAME.h5 of the native program (make
+    web-base)."""
     for name in sorted(os.listdir(folder)):
         if not name.endswith(".json"):
             continue
@@ -162,7 +163,8 @@ def agreement(browser):
 
 
 def slides(browser):
-    """More load, less film; the text has the value that the slider has."""
+    """A larger load gives a thinner film; the text has the value of the
+    slider."""
     film = float(browser.run(
         "return document.querySelector('[data-key=central_film_m]')"
         ".textContent.split(' ')[0]"))
@@ -183,8 +185,8 @@ def slides(browser):
 
 
 def mistakes(browser):
-    """A wrong unit is told at its line, in the program's words; a hostile case
-    stays text."""
+    """A wrong unit is reported at its line with the program's message; a
+    malicious case remains text."""
     put(browser, "[contact]\nload = 3 kg\n")
     assert "line 2: load: '3 kg': wrong unit" in text(browser, "trouble")
     assert browser.run("return document.querySelector('#lines b').textContent"
@@ -198,7 +200,7 @@ def mistakes(browser):
 
 
 def units(browser):
-    """Another unit is written with the same number; a key without effect has
+    """A new unit is written with the same number; a key without effect shows
     its condition."""
     put(browser, "[contact]\nload = 300 kN/m\nradius = 8 mm\n"
         "modulus = 226 GPa\nmean_speed = 3 m/s\n[lubricant]\n"
@@ -228,7 +230,7 @@ def case_of(browser):
 
 
 def numbers(browser):
-    """Each kind shows the numbers that it has."""
+    """Each kind of case shows its quantities."""
     for kind, keys in (("hot", ["T_max_rise", "mu_slide"]),
                        ("starved", ["film_ratio"]),
                        ("gear", ["lambda_ratio", "max_pressure_Pa"]),
@@ -264,7 +266,7 @@ def played(browser):
 
 
 def dent(browser):
-    """Runs, pauses, goes on, is played, and is downloaded."""
+    """A run is started, paused, continued, played and downloaded."""
     with open(f"{folder}/dent.ini", encoding="utf-8") as file:
         put(browser, file.read().replace("level = 5", "level = 9"))
     run_until(browser, 2)
@@ -309,7 +311,7 @@ def pictures(browser):
 
 
 def saved(browser, what, name):
-    """Chooses a download, and where it has come to."""
+    """Chooses a download and returns the path of the file."""
     path = f"{folder}/{name}"
     if os.path.exists(path):
         os.remove(path)
@@ -327,7 +329,8 @@ def saved(browser, what, name):
 
 
 def kinds_in_time(browser):
-    """Heat is drawn while it runs; passes are played one by one; a strip."""
+    """Temperatures are drawn during a run; passes are played one by one; a
+    strip is drawn."""
     with open(f"{folder}/warm.ini", encoding="utf-8") as file:
         put(browser, file.read().replace("level = 5", "level = 7"))
     run_until(browser, 2)
@@ -352,8 +355,8 @@ def kinds_in_time(browser):
 
 
 def stops(browser):
-    """A long run, a long steady contact and a long study are asked for; stop
-    ends them."""
+    """A long run, a long steady contact and a long study are started; stop
+    ends each."""
     with open(f"{folder}/dent.ini", encoding="utf-8") as file:
         case = file.read()
     put(browser, case.replace("level = 5", "level = 13"))
@@ -383,8 +386,8 @@ def ask_and_stop(browser, button):
 
 
 def stops_check(browser):
-    """A link whose case takes minutes to check leaves the page at work, and
-    stop ends it; the next case is checked as ever."""
+    """A link to a case whose check takes minutes keeps the page busy until
+    stop; the next case is then checked as usual."""
     rough = "".join(
         f"[feature {k}]\nsurface = 1\nshape = roughness\nRq = 0.001\n"
         f"length = 1e4\nshortest = 0.2\nseed = {k}\nstart = -3\n"
@@ -410,8 +413,8 @@ def stops_check(browser):
 
 
 def hostile(browser):
-    """Nothing in a case or a link becomes part of the page or of the player;
-    no line takes the page's time."""
+    """No text of a case or link is interpreted by the page or the player; no
+    line blocks the page."""
     evil = "<img src=x onerror=document.body.dataset.stolen=1></script>" \
         "<script>document.body.dataset.stolen=1</script>"
     with open(f"{folder}/dent.ini", encoding="utf-8") as file:
@@ -448,7 +451,7 @@ def fragment_of(case):
 
 
 def drops(browser):
-    """A profile dropped onto the page is measured, and goes on a surface."""
+    """A profile dropped onto the page is evaluated and added to a surface."""
     put(browser, "[contact]\nload = 300 kN/m\nradius = 8 mm\n"
         "modulus = 226 GPa\nmean_speed = 3 m/s\n[lubricant]\n"
         "viscosity = 40 mPa.s\nalpha = 17 1/GPa\n"
@@ -490,8 +493,8 @@ def links(browser):
 
 
 def by_keys(browser):
-    """All is reached by the tab key, from the beginning of the page: a slider,
-    the run, its stop."""
+    """The tab key reaches a slider, the run button and the stop button from
+    the beginning of the page."""
     load(browser)
     focus = "return document.activeElement.id || " \
         "document.activeElement.dataset.key || ''"
@@ -528,8 +531,8 @@ def by_keys(browser):
 
 
 def memory(browser):
-    """200 steady contacts of a slider leave the memory of the program and the
-    page as it was."""
+    """200 steady contacts from a slider do not increase the memory of program
+    and page."""
     put(browser, "[contact]\nM = 20\nL = 10\n[domain]\nlevel = 6\n")
     sizes = []
     for k in range(200):
@@ -552,7 +555,7 @@ def memory(browser):
 
 
 def live(browser):
-    """The page of view --live has the run and its case."""
+    """The page of view --live contains the run and its case."""
     browser.open(f"file://{folder}/live.html")
     browser.wait("return document.body.dataset.ready === '1'", 120)
     assert not browser.run("return document.getElementById('played').hidden")
