@@ -67,6 +67,7 @@ typedef struct ovr_parameter {
  *     "time.end"               it is given
  *     "no refine_level"        it is not given
  *     "[stress]"               the section is in the case
+ *     "no [strip]"             it is not
  *
  * "history = ramp => from or to" requires the condition after the arrow only if
  * the one before it holds. The sizes of a feature depend on its shape;

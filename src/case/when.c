@@ -134,7 +134,7 @@ typedef struct alternative {
     bool absent;      /* the key must not be given */
 } alternative;
 
-/* Parses "[stress]": a section as a key that is given or not. */
+/* Parses "[stress]" (without "no"): a section as a key that is given or not. */
 static alternative parse_section(const ovr_case *c, const ovr_block *own,
                                  const char *text)
 {
@@ -150,13 +150,17 @@ static alternative parse_section(const ovr_case *c, const ovr_block *own,
 static alternative parse_alternative(const ovr_case *c, const ovr_block *own,
                                      const char *text)
 {
-    if (*text == '[')
-        return parse_section(c, own, text);
     /* for a section with names that has no block */
     static const ovr_slot nothing = {.number = NAN};
     const ovr_block *block = own;
-    alternative a = {.absent = !strncmp(text, "no ", 3)};
-    const char *where = text + 3 * a.absent;
+    bool absent = !strncmp(text, "no ", 3);
+    const char *where = text + 3 * absent;
+    alternative a = {0};
+    if (*where == '[')
+        a = parse_section(c, own, where);
+    a.absent = absent;
+    if (*where == '[')
+        return a;
     char name[2 * OVR_NAME_MAX], *key = name;
     size_t length = strcspn(where, " ");
     snprintf(name, sizeof name, "%.*s", (int)length, where);
@@ -279,7 +283,10 @@ static void write_idle(const ovr_case *c, const ovr_block *block,
     bool one = !strstr(condition, " or "), other = a.section != block->section;
     text[0] = '\0';
     condition_add(text, capacity, "has no effect");
-    if (a.absent)
+    if (a.absent && !a.slot->key) /* a section */
+        condition_add(text, capacity, " beside %.*s",
+                      (int)strcspn(condition + 3, " "), condition + 3);
+    else if (a.absent)
         condition_add(text, capacity, " beside %s%s%s%s", other ? "[" : "",
                       other ? a.section->name : "", other ? "] " : "",
                       a.slot->key);

@@ -201,6 +201,11 @@ for section in stress plastic fatigue; do
     { cat dent.ini && echo "[$section]"; } >with.ini
     refuses "cannot be combined with a strip; use no .$section" check with.ini
 done
+# Its solver has its own cycles.
+for key in cycle=W sweeps_before=2 sweeps_after=2 coarsest_level=2; do
+    refuses "${key%=*}: has no effect beside .strip.\$" check dent.ini \
+        --set solver.$key
+done
 refuses 'angle: 100 deg must be -90 to 90 deg' check dent.ini \
     --set feature.dent.angle='100 deg'
 refuses 'thickness: a coating cannot be combined with a strip' check dent.ini \

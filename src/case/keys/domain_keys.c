@@ -96,16 +96,16 @@ const ovr_section ovr_domain_section = {
     "the part of the film that is computed, and its grid", ROWS(domain_keys)};
 
 static const ovr_parameter solver_keys[] = {
-    {"cycle", CHOICE(cycles), "V", AT(options.cycle_index), true, ALWAYS,
+    {"cycle", CHOICE(cycles), "V", AT(options.cycle_index), true, "no [strip]",
      "multigrid cycle"},
     {"sweeps_before", WHOLE_OR(auto_zero, 0, OVR_SWEEPS_MAX), "auto",
-     AT(options.sweeps_before), true, ALWAYS,
+     AT(options.sweeps_before), true, "no [strip]",
      "relaxation sweeps before the coarse-grid correction"},
     {"sweeps_after", WHOLE_OR(auto_zero, 0, OVR_SWEEPS_MAX), "auto",
-     AT(options.sweeps_after), true, ALWAYS,
+     AT(options.sweeps_after), true, "no [strip]",
      "relaxation sweeps after the coarse-grid correction"},
     {"coarsest_level", WHOLE_OR(auto_zero, 1, 7), "auto",
-     AT(options.coarsest_level), true, ALWAYS,
+     AT(options.coarsest_level), true, "no [strip]",
      "coarsest grid; the paper's is 1"},
     {"stop", CHOICE(stops), "negligible", AT(options.stop), true, ALWAYS,
      "end of the steady solution: negligible algebraic error, a fraction of "
