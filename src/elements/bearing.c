@@ -173,8 +173,8 @@ static void measure(ovr_bearing *bearing)
                                : f->pitch - f->roller - f->clearance / 2;
     g->outer = g->inner + 2 * f->roller + f->clearance;
     g->pitch = (g->inner + g->outer) / 2;
-    /* Palmgren's formula in mm and N. The approach is that of one of two
-     * contacts in series, half the total. */
+    /* Palmgren's formula in mm and N. Each of the two contacts in series has
+     * half of the total approach. */
     double one = pow(pow(1e3 * f->length, 0.8) / 3.84e-5 / 2, 10.0 / 9);
     g->stiffness = isnan(f->stiffness) ? one * pow(1e3, 10.0 / 9)
                                        : f->stiffness;

@@ -50,7 +50,7 @@ static unsigned bit_length(uint64_t n)
 }
 
 /* Returns the image of i under a random permutation of 0..n-1: "swap or not"
- * (Hoang, Morris & Rogaway 2012), 6 log2(n) rounds and some for small n. */
+ * (Hoang, Morris & Rogaway 2012), with about 6 log2(n) + 24 rounds. */
 static uint64_t permuted(uint64_t seed, uint64_t stream, uint64_t n, uint64_t i)
 {
     const unsigned rounds = 6 * bit_length(n) + 24;

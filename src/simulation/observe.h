@@ -68,7 +68,8 @@ void ovr_statistics_flag(ovr_statistics *s, const ovr_observation *o);
 bool ovr_extreme_is_flagged(const ovr_extreme *which, const ovr_statistics *of);
 double *ovr_kept_number(const ovr_extreme *which, ovr_statistics *of);
 
-/* Observes film, pressure, mass flow and friction of the line in `now`. */
+/* Observes film thickness, pressure, mass flow and friction of the line in
+ * `now`. */
 void ovr_observe_line(ovr_simulation *sim, ovr_observation *o);
 
 /* Fills the state's fields and the observation from the finest level. */

@@ -248,9 +248,9 @@ typedef struct attempt {
     bool extrapolate;
     int sweeps, newton_steps, finer_bottom, max_cycles;
     double limit, newton_limit, correction;
-    bool continued; /* by continuation from the last solution */
-    bool newton;    /* by Newton's method on the finest grid */
-    bool corrected; /* with fourth-order corrections */
+    bool continued; /* uses continuation from the last solution */
+    bool newton;    /* uses Newton's method on the finest grid */
+    bool corrected; /* uses fourth-order corrections */
 } attempt;
 
 static const attempt attempts[] = {

@@ -75,8 +75,8 @@ ovr_status ovr_areal_need_spacing(ovr_profile *p, const ovr_profile_source *s,
 /* A straight line in the plane of the grid, in units of the grid spacings. */
 typedef struct line {
     double x, y;   /* first point */
-    double sx, sy; /* from one point to the next */
-    double bx, by; /* from one line of the band to the next */
+    double sx, sy; /* distance of successive points */
+    double bx, by; /* distance of successive lines of the band */
     size_t n;
     long half;     /* lines of the band on each side */
     double length; /* distance between points, in the unit of lengths */
