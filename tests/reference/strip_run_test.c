@@ -244,6 +244,41 @@ TEST(carreau)
                  2e-5);
 }
 
+/* Carreau's law as a table of 400 rates gives the film of the formula.  The
+ * error is a thousandth of the change by shear thinning. */
+TEST(tabulated_flow_law)
+{
+    const char *const laws[] = {
+        "rheology = carreau\ncarreau_stress = 3 MPa\ncarreau_n = 0.5\n",
+        "rheology = table\nrheology_file = strip_thinning.csv\n",
+        "rheology = newtonian\n"};
+    double H[3];
+    FILE *f = fopen("strip_thinning.csv", "w");
+    assert_non_null(f);
+    fprintf(f, "rate [1/s], stress [MPa]\n");
+    for (int k = 0; k <= 400; k++) {
+        double rate = 1e4 * exp(0.04 * k), s = 0.04 * rate / 3e6;
+        fprintf(f, "%.10g, %.10g\n", rate, 3 * s * pow(1 + s * s, -0.25));
+    }
+    fclose(f);
+    for (int k = 0; k < 3; k++) {
+        char more[400];
+        snprintf(more, sizeof more,
+                 STRIP "[lubricant]\n%s[feature d]\nshape = dent\n"
+                       "depth = 0.02\nwidth = 0.8\nstart = 0.1\n",
+                 laws[k]);
+        ovr_case *c = read_case(OILED(FASTER), more);
+        ovr_run *run = run_of(c, NULL);
+        H[k] = ovr_simulation_observation(ovr_run_get_info(run)->sim)->H_min;
+        ovr_run_free(run);
+        ovr_case_free(c);
+    }
+    remove("strip_thinning.csv");
+    print_message("    H_min %.7f %.7f %.7f\n", H[0], H[1], H[2]);
+    assert_true(H[0] < 0.99 * H[2]);
+    CHECK_NEAR(H[1], H[0], 1e-3 * (H[2] - H[0]));
+}
+
 /* A tenth of the load is at the limit. */
 TEST(limiting_shear_stress)
 {
@@ -454,6 +489,41 @@ TEST(roughness_closes)
         }
     drop(&a);
     drop(&b);
+}
+
+#define TEXTURE                                                                \
+    "[contact]\nM = 9\nL = 12\nslide_to_roll = -2\n[domain]\nlevel = 5\n"      \
+    "order = 2\n[strip]\nwidth = 4\nlines = 64\n[feature t]\n"                 \
+    "shape = texture\ndepth = 0.3\nwidth = 0.4\nwavelength = 0.6\n"            \
+    "wavelength_across = 0.4\nstagger = 0.5\n"
+
+/* Dimples deeper than the film on few lines.  Between them the pressure is
+ * three times the Hertzian one.  Dimples that appear in time end in the same
+ * film. R of the steps is 5e-3. */
+TEST(deep_texture_on_few_lines)
+{
+    ovr_case *a = read_case(TEXTURE, ""),
+             *b = read_case(TEXTURE, "grow = 2\n[time]\nend = 10\n"
+                                     "step = 0.1\nscheme = upstream2\n");
+    ovr_run *steady = run_of(a, NULL), *in_time = run_of(b, NULL);
+    const ovr_strip_solver *s = ovr_strip_of(ovr_run_get_info(steady)->sim);
+    const ovr_strip_solver *t = ovr_strip_of(ovr_run_get_info(in_time)->sim);
+    const ovr_observation *o = ovr_simulation_observation(
+        ovr_run_get_info(steady)->sim);
+    const ovr_strip_level *f = ovr_strip_finest(s), *g = ovr_strip_finest(t);
+    assert_true(o->converged && o->P_max > 2.5);
+    print_message("    %d cycles\n", o->cycles);
+    assert_in_range(o->cycles, 1, 1500);
+    for (size_t i = 0; i < s->n; i++)
+        for (size_t j = 0; j < s->lines; j++) {
+            size_t at = ovr_strip_row(&f->grid, i) + j;
+            CHECK_NEAR(g->f.P[at], f->f.P[at], 1e-2);
+            CHECK_NEAR(g->f.H[at], f->f.H[at], 2e-4);
+        }
+    ovr_run_free(steady);
+    ovr_run_free(in_time);
+    ovr_case_free(a);
+    ovr_case_free(b);
 }
 
 /* Roughness of twice the film thickness that slides through a Newtonian
