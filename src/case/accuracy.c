@@ -35,6 +35,8 @@
  *   the same, by gap    3e-5 + 0.035 x^2 + (1.5 + 7 l^4) x^3; if the speed
  *                       varies, the cubic term is doubled.
  *   steady, of order 2  (0.2 + 0.8 l^4) x^2; by gap (0.12 + 2.9 l^4) x^2
+ *   starved films       the film errors times min(f^-2.5, 6), for a supply of
+ *                       f = 0.38 to 1 central film thicknesses
  *   features            k/N^2, and 2.5 k/N^2 with time steps of 2 D.
  *     raised by r = S/H   k = 0.8 r/(1 - r): the minimum film thickness is
  *                         smaller by about S. 1 - r is at least 0.05.
@@ -317,12 +319,25 @@ static double of_features(const ovr_setup *s, double arriving)
     return worst;
 }
 
+/* Returns the factor of the error of H_min in a film that is supplied with f
+ * times the central film thickness. The constriction becomes narrower and less
+ * deep with decreasing f, and vanishes at f = 0.33 to 0.55. */
+static double of_starvation(const ovr_setup *s, double arriving)
+{
+    const double vanished = 0.38, maximum = 6, power = -2.5;
+    double f = arriving / ovr_film_central_moes(s->contact->M, s->contact->L);
+    if (!(f < 1) || f < vanished || s->accuracy_of == OVR_ACCURACY_H_CEN)
+        return 1;
+    return fmin(pow(f, power), maximum);
+}
+
 double ovr_expected(const ovr_setup *s, double arriving)
 {
     double warming = s->transient ? ovr_setup_lag(s) * ovr_setup_step(s) : 0;
+    double starved = of_starvation(s, arriving);
     if (s->accuracy_of != OVR_ACCURACY_ALL)
-        return largest_of_film(s) + of_features(s, arriving);
-    return fmax(mean_of_film(s) + of_features(s, arriving) + warming,
+        return starved * largest_of_film(s) + of_features(s, arriving);
+    return fmax(starved * mean_of_film(s) + of_features(s, arriving) + warming,
                 of_friction(s));
 }
 
