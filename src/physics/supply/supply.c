@@ -483,7 +483,7 @@ static void warn_of_flooding(const ovr_setup *setup, ovr_listener *say,
     ovr_warn(say, data,
              "the supply of %.3g exceeds the flooded flow rate of about "
              "%.2g; the excess collects in the inlet reservoir",
-             arrives, taken / arrives);
+             arrives, taken);
 }
 
 static const ovr_companion companion = {.review_before = warn_of_flooding};
