@@ -227,14 +227,21 @@ static ovr_status hierarchy_bear(ovr_hierarchy *grids, ovr_arena *arena,
     return ovr_arena_status(arena);
 }
 
+/* Allocates the fields that Newton's method needs on a level. */
+static void allocate_newton_fields(const ovr_hierarchy *grids, ovr_level *level,
+                                   ovr_arena *arena, ovr_error *err)
+{
+    for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
+        if (!level->f.all[k] && has(grids, ovr_field_rows[k].memory, true))
+            level->f.all[k] = ovr_field(arena, capacity_of(level), err);
+}
+
 /* Allocates the arrays that Newton's method needs on the finest level. */
 static void allocate_newton(ovr_hierarchy *grids, ovr_arena *arena,
                             ovr_error *err)
 {
     ovr_level *finest = &grids->level[grids->finest];
-    for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
-        if (!finest->f.all[k] && has(grids, ovr_field_rows[k].memory, true))
-            finest->f.all[k] = ovr_field(arena, capacity_of(finest), err);
+    allocate_newton_fields(grids, finest, arena, err);
     if (grids->ordered == grids->finest)
         return;
     grids->ordered = grids->finest;
@@ -260,6 +267,22 @@ ovr_status ovr_hierarchy_take_asperities(ovr_hierarchy *grids, ovr_arena *arena,
         return OVR_NO_MEMORY;
     ovr_newton_fill(grids);
     return hierarchy_bear(grids, arena, err);
+}
+
+ovr_status ovr_hierarchy_take_coarse_asperities(ovr_hierarchy *grids, int depth,
+                                                ovr_arena *arena,
+                                                ovr_error *err)
+{
+    ovr_asperity *touch = &grids->touch;
+    int l = grids->finest - depth;
+    touch->coarsest = l > grids->coarsest ? l : grids->coarsest;
+    for (l = touch->coarsest; l < grids->finest; l++) {
+        ovr_level *level = &grids->level[l];
+        allocate_newton_fields(grids, level, arena, err);
+        touch->kept_P[l] = ovr_mlmi_field(&level->mlmi, arena, err);
+        touch->kept_pressed[l] = ovr_mlmi_field(&level->mlmi, arena, err);
+    }
+    return ovr_arena_status(arena);
 }
 
 static void allocate_skew(ovr_fields *f, size_t n, ovr_arena *arena,

@@ -117,6 +117,10 @@ typedef struct ovr_asperity {
                   * (mixed_contact.h) */
     double *lift, *gap;    /* the excess; the gap including it, in lanes */
     double *kernel, *step; /* as in ovr_newton, for the finest level */
+    /* coarser levels, for nested iteration; the fields of a level that is not
+     * in use are stored here (mixed_contact.h) */
+    int coarsest; /* 0: none */
+    double *kept_P[OVR_LEVELS], *kept_pressed[OVR_LEVELS];
 } ovr_asperity;
 
 /* Interruption of long solves. `asked` is called between the cycles. After it
@@ -229,6 +233,11 @@ ovr_status ovr_hierarchy_skew(ovr_hierarchy *grids, bool second_order,
  * finest level is then solved by Newton's method. */
 ovr_status ovr_hierarchy_take_asperities(ovr_hierarchy *grids, ovr_arena *arena,
                                          ovr_error *err);
+
+/* Allocates memory for asperity contact on up to `depth` coarser levels. */
+ovr_status ovr_hierarchy_take_coarse_asperities(ovr_hierarchy *grids, int depth,
+                                                ovr_arena *arena,
+                                                ovr_error *err);
 
 /* Sets the asperity pressure, in the order of the nodes. */
 void ovr_level_set_asperity_pressure(const ovr_hierarchy *grids,

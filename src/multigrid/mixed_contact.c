@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "multigrid/coarsest.h"
+
 /* Number of elements in lanes, including the halo node. Elements beyond the
  * ends of the grid are zero in `pressed`, which never contains a deformation
  * here. */
@@ -265,4 +267,65 @@ void ovr_asperity_advance(ovr_hierarchy *grids, const ovr_level *level,
     set_pressures(grids, level, part);
     ovr_asperity_deform(grids, level);
     lift(grids, level, f->H);
+}
+
+void ovr_asperity_move(ovr_hierarchy *grids, int l)
+{
+    ovr_asperity *touch = &grids->touch;
+    for (int k = 0; k < OVR_LEVELS; k++) {
+        if (!touch->kept_P[k])
+            continue;
+        grids->level[k].asperity_P = k == l ? touch->kept_P[k] : NULL;
+        grids->level[k].pressed = k == l ? touch->kept_pressed[k] : NULL;
+    }
+    grids->finest = l;
+    ovr_newton_fill(grids);
+    ovr_deflation_fit(&touch->tripoles->smooth, grids->level[l].grid.n);
+    ovr_asperity_settle(grids);
+}
+
+void ovr_asperity_clear(const ovr_level *level)
+{
+    ovr_level_clear(level, level->asperity_P);
+    ovr_level_clear(level, level->pressed);
+}
+
+/* Value between nodes I - 1 and I: cubic interpolation if it is smooth there,
+ * else linear. */
+static double between(const double *v, size_t n, size_t I, bool smooth)
+{
+    double before = I > 1 ? v[I - 2] : 0, after = I + 1 < n ? v[I + 1] : 0;
+    double mean = 0.5 * (v[I - 1] + v[I]);
+    return smooth ? fmax(1.125 * mean - (before + after) / 16, 0) : mean;
+}
+
+/* True if the film is pressurized at nodes from..to. */
+static bool is_pressurized(const double *P, size_t n, size_t from, size_t to)
+{
+    for (size_t I = from; I <= to; I++)
+        if (I == 0 || I + 1 >= n || !(P[I] > 0))
+            return false;
+    return true;
+}
+
+void ovr_asperity_refine(ovr_hierarchy *grids, const ovr_level *coarse,
+                         const ovr_level *fine, bool smooth)
+{
+    double *P = grids->touch.whole, *A = grids->touch.excess;
+    double *fine_P = grids->scratch[0], *fine_A = grids->scratch[1];
+    size_t n = coarse->grid.n;
+    ovr_level_read(grids, coarse, coarse->f.P, P);
+    ovr_level_read(grids, coarse, grids->touch.kept_P[coarse->number], A);
+    fine_P[0] = fine_A[0] = 0;
+    for (size_t I = 1; I < n; I++) {
+        bool inside = I > 1 && is_pressurized(P, n, I - 2, I + 1);
+        bool pressurized = is_pressurized(P, n, I - 1, I);
+        fine_P[2 * I] = P[I];
+        fine_A[2 * I] = A[I];
+        fine_P[2 * I - 1] = pressurized ? between(P, n, I, smooth && inside)
+                                        : 0;
+        fine_A[2 * I - 1] = between(A, n, I, smooth);
+    }
+    ovr_level_write(grids, fine, fine_P, fine->f.P);
+    ovr_level_write(grids, fine, fine_A, fine->asperity_P);
 }

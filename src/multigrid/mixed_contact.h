@@ -38,6 +38,10 @@
  * multigrid. At the ends of the film nodes become pressurized one by one. After
  * three such steps, 2, 4, ... 128 nodes on either side are assumed pressurized;
  * those with a negative result are cavitated, and the step is repeated.
+ *
+ * If the film ends far from where the initial guess ends it, Newton's method
+ * may not converge, by chance of mesh size and data. Coarser grids then provide
+ * the initial guess (physics/mixed/nested.h).
  */
 #ifndef OVR_MULTIGRID_MIXED_CONTACT_H
 #define OVR_MULTIGRID_MIXED_CONTACT_H
@@ -101,5 +105,18 @@ void ovr_asperity_limit(const ovr_asperity *touch, size_t n, double limit);
  * them for the H0 already set. f is the state before the step. */
 void ovr_asperity_advance(ovr_hierarchy *grids, const ovr_level *level,
                           const ovr_fields *f, double part);
+
+/* Makes level l, the finest or one with memory for asperity contact, the finest
+ * of the hierarchy. Coarser levels then have no asperity contact. */
+void ovr_asperity_move(ovr_hierarchy *grids, int l);
+
+/* Sets the asperity pressure of a level, and its deformation, to zero. */
+void ovr_asperity_clear(const ovr_level *level);
+
+/* Interpolates fluid and asperity pressure linearly; or, if `smooth`, by
+ * cubics, except for the fluid pressure at the ends of the film. A new node is
+ * pressurized if both neighbours are. */
+void ovr_asperity_refine(ovr_hierarchy *grids, const ovr_level *coarse,
+                         const ovr_level *fine, bool smooth);
 
 #endif

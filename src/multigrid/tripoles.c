@@ -127,14 +127,22 @@ static void banded_solve(const ovr_banded *A, size_t n, double *x)
 
 enum { STRIDE = 16, MOST = 128 };
 
+void ovr_deflation_fit(ovr_deflation *d, size_t n)
+{
+    const size_t intervals = (n - 1) / d->stride;
+    d->count = intervals > 2 ? intervals - 1 : 0;
+    d->of = NAN;
+}
+
 ovr_status ovr_deflation_take(ovr_deflation *d, size_t n, ovr_arena *arena,
                               ovr_error *err)
 {
     size_t s = STRIDE;
     while ((n - 1) / s > MOST)
         s *= 2;
-    const size_t count = (n - 1) / s > 2 ? (n - 1) / s - 1 : 0;
-    *d = (ovr_deflation){.stride = s, .count = count};
+    *d = (ovr_deflation){.stride = s};
+    ovr_deflation_fit(d, n);
+    const size_t count = d->count;
     if (!count)
         return OVR_OK;
     const size_t width = (n - 1) / s + count + 2, m = count + 1;

@@ -258,6 +258,47 @@ TEST(thick_films_are_not_affected)
     assert_true(off.P_max == none.P_max);
 }
 
+static touching at_level(const char *const *contact, int level)
+{
+    ovr_case *c = begin(contact);
+    assign(c, "contact.radius=12 mm");
+    assign(c, "contact.modulus=226 GPa");
+    assign(c, "contact.viscosity=30 mPa.s");
+    assign(c, "contact.alpha=18 1/GPa");
+    assign(c, "lubricant.rheology=eyring");
+    assign(c, "lubricant.eyring_stress=5 MPa");
+    assign(c, "lubricant.limiting_shear=0.08");
+    assign(c, "boundary.law=exponential");
+    assign(c, "boundary.friction=0.12");
+    assignf(c, "domain.level=%d", level);
+    return solved(c);
+}
+
+/* On level 9 both need nested iteration, from a dry contact and from the full
+ * film; on level 8 neither does. */
+TEST(levels_next_to_each_other_agree)
+{
+    static const char *const drier[] = {"contact.hertz_pressure=0.8797 GPa",
+                                        "contact.mean_speed=0.3336 m/s",
+                                        "contact.slide_to_roll=0.424",
+                                        "boundary.Rq=0.24 um",
+                                        "boundary.slope=0.0422",
+                                        NULL};
+    static const char *const wetter[] = {"contact.hertz_pressure=0.8951 GPa",
+                                         "contact.mean_speed=0.4586 m/s",
+                                         "contact.slide_to_roll=0.478",
+                                         "boundary.Rq=0.127 um",
+                                         "boundary.slope=0.0515",
+                                         NULL};
+    const char *const *const both[] = {drier, wetter};
+    for (int k = 0; k < 2; k++) {
+        touching coarse = at_level(both[k], 8), fine = at_level(both[k], 9);
+        CHECK_NEAR(fine.H_cen / coarse.H_cen, 1, 1e-4);
+        CHECK_NEAR(fine.share / coarse.share, 1, 1e-3);
+        CHECK_NEAR(fine.mu / coarse.mu, 1, 1e-3);
+    }
+}
+
 /* From a film to bodies that touch dry: Stribeck's curve. */
 TEST(asperities_carry_more_at_low_speed)
 {

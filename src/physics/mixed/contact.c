@@ -23,6 +23,7 @@
 #include "multigrid/friction.h"
 #include "multigrid/mixed_contact.h"
 #include "physics/mixed/mixed.h"
+#include "physics/mixed/nested.h"
 #include "physics/mixed/wear.h"
 #include "simulation/conflicts.h"
 #include "simulation/mirror.h"
@@ -51,7 +52,9 @@ static ovr_status create(ovr_simulation *sim, const void *form, void **own,
     if (OVR_TAKE_NODES(sim, err, &b->A, &b->saved, &b->bears,
                        &sim->shear.film_stress) ||
         ovr_physics_take_asperity_pressure(sim, err) ||
-        ovr_hierarchy_take_asperities(&sim->grids, &sim->arena, err))
+        ovr_hierarchy_take_asperities(&sim->grids, &sim->arena, err) ||
+        ovr_hierarchy_take_coarse_asperities(&sim->grids, OVR_NESTED_DEPTH,
+                                             &sim->arena, err))
         return OVR_NO_MEMORY;
     b->given = form;
     if (b->given->ridges)
@@ -80,6 +83,20 @@ static void forget(ovr_simulation *sim, void *own)
         ovr_wear_begin(b->wear);
 }
 
+/* Restores the saved film, for a fraction of the asperity pressure. */
+static void restore(ovr_simulation *sim, const boundary *b, double H0,
+                    double share)
+{
+    ovr_hierarchy *grids = &sim->grids;
+    ovr_level *finest = sim->finest;
+    grids->H0 = H0;
+    grids->touch.share = share;
+    ovr_asperity_settle(grids);
+    ovr_level_write(grids, finest, b->saved, finest->f.P);
+    ovr_level_write(grids, finest, b->bears, finest->asperity_P);
+    ovr_level_refresh(grids, finest);
+}
+
 /* Solves for a fraction of the asperity pressure; restores the previous film if
  * there is no solution. */
 static bool reach(ovr_simulation *sim, boundary *b, double share,
@@ -98,12 +115,21 @@ static bool reach(ovr_simulation *sim, boundary *b, double share,
     if (ovr_below(*d, enough))
         return true;
     *d = was;
-    grids->H0 = H0;
-    grids->touch.share = old;
-    ovr_asperity_settle(grids);
-    ovr_level_write(grids, finest, b->saved, finest->f.P);
-    ovr_level_write(grids, finest, b->bears, finest->asperity_P);
-    ovr_level_refresh(grids, finest);
+    restore(sim, b, H0, old);
+    return false;
+}
+
+/* Solves by nested iteration after a failure; restores the film that `reach`
+ * saved if there is no solution. */
+static bool solve_coarser(ovr_simulation *sim, boundary *b, const ovr_full *how,
+                          ovr_defect *d, int *cycles)
+{
+    const ovr_defect was = *d;
+    double H0 = sim->grids.H0, share = sim->grids.touch.share;
+    if (ovr_mixed_nested(sim, b->law, false, how, d, cycles))
+        return true;
+    *d = was;
+    restore(sim, b, H0, share);
     return false;
 }
 
@@ -129,8 +155,17 @@ static ovr_defect solve_apart(ovr_simulation *sim, boundary *b, bool by_levels,
     return d;
 }
 
-/* Starts with the full film, and applies the asperity contact model at once or
- * in fractions. */
+/* Above this predicted asperity load share, the full film is not a useful
+ * initial guess. */
+static const double mostly_dry = 0.9;
+
+static bool is_mostly_dry(const boundary *b)
+{
+    return b->given->estimate > mostly_dry && !b->given->unresolved;
+}
+
+/* Starts with the full film, and applies the asperity contact model at once, or
+ * else on coarser levels first, or else in fractions. */
 static ovr_defect solve_from(ovr_simulation *sim, boundary *b, bool by_levels,
                              const ovr_full *how, int *cycles)
 {
@@ -145,6 +180,9 @@ static ovr_defect solve_from(ovr_simulation *sim, boundary *b, bool by_levels,
         double to = fmin(from * factor, 1);
         if (reach(sim, b, to, how, &d, cycles))
             from = to;
+        else if (by_levels && to == 1 && !is_mostly_dry(b) &&
+                 solve_coarser(sim, b, how, &d, cycles))
+            from = 1;
         else
             factor = sqrt(factor);
     }
@@ -153,67 +191,14 @@ static ovr_defect solve_from(ovr_simulation *sim, boundary *b, bool by_levels,
     return d;
 }
 
-/* Film thickness with A(H) = P, by bisection. */
-static double film_of(const ovr_asperity_law *law, double P)
-{
-    double low = 0, high = 1, A, slope;
-    for (int k = 0; k < 60; k++) {
-        double H = k < 20 ? high : 0.5 * (low + high);
-        ovr_asperity_law_at(law, H, &A, &slope);
-        if (A > P)
-            low = H;
-        else
-            high = H;
-        if (k < 20 && A > P)
-            high *= 2;
-    }
-    return high;
-}
-
-/* Starts from a contact whose load is carried by asperities: Hertzian pressure,
- * a film thickness that supports its mean, and almost no fluid pressure. */
-static ovr_defect solve_from_dry(ovr_simulation *sim, boundary *b,
-                                 const ovr_full *how, int *cycles)
-{
-    enum { PATIENT = 200 };
-    const double mean = acos(-1.0) / 4, oil = 1e-3;
-    ovr_full patient = *how;
-    const ovr_target *target = &sim->target;
-    ovr_hierarchy *grids = &sim->grids;
-    double width = sqrt(target->Cw / target->c);
-    double root = sqrt(target->Cw * target->c);
-    ovr_simulation_gap(sim, 0);
-    ovr_full_prepare(grids, target->force);
-    grids->fluid = target->fluid;
-    ovr_asperity_settle(grids);
-    grids->touch.share = 1;
-    for (size_t i = 0; i < sim->finest->grid.n; i++) {
-        double x = sim->finest->grid.X[i] / width;
-        double P = x * x < 1 ? root * sqrt(1 - x * x) : 0;
-        b->A[i] = (1 - oil) * P;
-        b->saved[i] = oil * P;
-    }
-    grids->H0 = film_of(b->law, mean * root) +
-                target->Cw * (-0.5966 + 0.5 * log(width));
-    ovr_level_set_asperity_pressure(grids, sim->finest, b->A);
-    ovr_level_write(grids, sim->finest, b->saved, sim->finest->f.P);
-    if (!how->fixed && !sim->options.max_cycles)
-        patient.max_cycles = PATIENT;
-    return ovr_steady_cycles(sim, &patient, cycles);
-}
-
-/* Above this predicted asperity load share, the full film is not a useful
- * initial guess. */
-static const double mostly_dry = 0.9;
-
 static ovr_defect solve(ovr_simulation *sim, void *own, const ovr_full *how,
                         int *cycles)
 {
     const boundary *b = own;
     ovr_defect d = {.imbalance = INFINITY};
-    if (b->given->estimate > mostly_dry && !b->given->unresolved) {
-        d = solve_from_dry(sim, own, how, cycles);
-        if (ovr_below(d, 1e-4))
+    if (is_mostly_dry(b)) {
+        if (ovr_mixed_from_dry(sim, b->law, how, &d, cycles) ||
+            ovr_mixed_nested(sim, b->law, true, how, &d, cycles))
             return d;
     }
     d = solve_from(sim, own, true, how, cycles);
