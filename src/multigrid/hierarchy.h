@@ -117,7 +117,7 @@ typedef struct ovr_asperity {
                   * (mixed_contact.h) */
     double *lift, *gap;    /* the excess; the gap including it, in lanes */
     double *kernel, *step; /* as in ovr_newton, for the finest level */
-    /* coarser levels, for nested iteration; the fields of a level that is not
+    /* Coarser levels, for nested iteration: the fields of a level that is not
      * in use are stored here (mixed_contact.h) */
     int coarsest; /* 0: none */
     double *kept_P[OVR_LEVELS], *kept_pressed[OVR_LEVELS];

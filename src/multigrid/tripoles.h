@@ -92,7 +92,7 @@ bool ovr_tripoles_solve(ovr_hierarchy *grids, const ovr_level *level,
 ovr_status ovr_deflation_take(ovr_deflation *d, size_t n, ovr_arena *arena,
                               ovr_error *err);
 
-/* Adapts the coarse grid to n nodes, at most as many as allocated. */
+/* Adapts the coarse grid to a smaller number of nodes n. */
 void ovr_deflation_fit(ovr_deflation *d, size_t n);
 
 /* Computes A P from the rows and factors R A P. kernel: influence k up to a

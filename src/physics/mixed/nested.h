@@ -3,12 +3,11 @@
  * Steady mixed contacts from a dry contact, and by nested iteration.
  *
  * Newton's method on the finest grid (multigrid/mixed_contact.h) moves the ends
- * of the film from the initial guess to the solution. Whether it converges
- * depends on mesh size and data by chance: of 450 solves of random contacts
- * on levels 8, 9 and 10, 16 failed, all on levels 9 and 10. Nested iteration
- * solves the contact on a coarser level, up to OVR_NESTED_DEPTH levels below
- * the finest, and refines: on each finer level the ends of the film are then
- * known to one mesh size.
+ * of the film from the initial guess to the solution. On fine grids it may fail
+ * by chance: it failed in 16 of 450 solves of random contacts on levels 8, 9
+ * and 10. Nested iteration solves a coarser level and refines. There are at
+ * most OVR_NESTED_DEPTH such levels. On each finer level the ends of the film
+ * are then known to one mesh size.
  */
 #ifndef OVR_PHYSICS_MIXED_NESTED_H
 #define OVR_PHYSICS_MIXED_NESTED_H
