@@ -133,7 +133,7 @@ static double sobol(size_t k, uint64_t n)
     const sobol_dimension *d = &dimensions[k];
     const unsigned degree = bit_length(d->polynomial) - 1;
     const uint64_t gray = n ^ (n >> 1);
-    unsigned m[SOBOL_BITS], point = 0;
+    unsigned m[SOBOL_BITS] = {0}, point = 0;
     for (unsigned j = 0; j < SOBOL_BITS && gray >> j; j++) {
         if (j < degree || k == 0) {
             m[j] = k ? d->first[j] : 1;

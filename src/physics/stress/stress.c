@@ -481,7 +481,7 @@ static void report_yield(const ovr_setup *setup, int k, ovr_physics_line *line,
            ph = setup->contact->ph * 1e-6;
     double first = ovr_first_yield(ovr_setup_stress(setup)->poisson[k]) * Y;
     double shakedown = ovr_shakedown_limit() * Y;
-    char text[200], megapascals[80] = "";
+    char text[240], megapascals[80] = "";
     if (isfinite(ph))
         snprintf(megapascals, sizeof megapascals,
                  " (%.4g MPa: %.4g and %.4g MPa)", Y * ph, first * ph,
