@@ -161,7 +161,7 @@ const char *ovr_units_allowed(ovr_dimension dimension)
     case OVR_HEAT_CAPACITY: return "J/kg.K, kJ/kg.K";
     case OVR_AREA: return "m2, mm2, um2";
     case OVR_DURATION: return "s, ms, us";
-    case OVR_ANGLE: return "deg, rad";
+    case OVR_ANGLE: return "rad, deg";
     case OVR_TORQUE: return "N.m, kN.m";
     case OVR_POWER: return "W, kW";
     case OVR_STIFFNESS: return "N/m, kN/m, N/mm";

@@ -107,11 +107,15 @@ static void describe_range(const ovr_parameter_info *p, char *text,
 {
     const char *unit = *p->bare ? p->bare : "";
     const double degree = 0.017453292519943295;
+    double one = 1;
     char first[16] = ""; /* unit: SI, of angles degrees */
     if (!*p->bare && *p->units)
         snprintf(first, sizeof first, " %.*s", (int)strcspn(p->units, ","),
                  p->units);
-    double one = strcmp(first, " deg") != 0 ? 1 : degree;
+    if (!strcmp(first, " rad")) {
+        one = degree;
+        strcpy(first, " deg");
+    }
     snprintf(text, capacity, "%s%s%g to %g%s%s%s", p->type,
              p->above ? " above " : " ", p->minimum / one, p->maximum / one,
              first, *unit ? " " : "", unit);

@@ -27,10 +27,11 @@ enum { OILS = sizeof oils / sizeof oils[0] };
 /* A shear-thinning lubricant: the pressure of a Newtonian film at a surface
  * feature grows without limit on finer grids, and its friction in a sliding
  * contact exceeds that of real lubricants. */
-#define THINS                                                                  \
+#define THINS_ABOVE(STRESS)                                                    \
     "rheology = eyring            # shear thinning\n"                          \
-    "eyring_stress = 5 MPa\n"                                                  \
+    "eyring_stress = " STRESS " MPa\n"                                         \
     "limiting_shear = 0.08        # limiting shear stress / pressure\n"
+#define THINS THINS_ABOVE("5")
 #define THINS_BY_NUMBER                                                        \
     "rheology = eyring            # shear thinning\n"                          \
     "eyring_number = 0.2          # Eyring stress / (p_h b/R)\n"
@@ -389,11 +390,11 @@ static const char strip_end[] =
     "[feature dent]\n"
     "surface = 1\n"
     "shape = indent               # round, as a hard particle makes it\n"
-    "depth = 0.3 um\n"
+    "depth = 0.2 um\n"
     "width_half = 0.4             # diameter at half its depth, in b\n"
-    "shoulder = 0.08 um           # the rim raised around it\n"
-    "shoulder_at = 0.4            # radius of its crest\n"
-    "shoulder_width = 0.3\n"
+    "shoulder = 0.05 um           # the rim raised around it\n"
+    "shoulder_at = 0.45           # radius of its crest\n"
+    "shoulder_width = 0.4\n"
     "across = 0                   # y of its centre\n"
     "start = inlet                # enters the film at once\n"
     "\n"
@@ -411,7 +412,7 @@ static const struct kind {
     {"gear", gear, gear_end, true, THINS},
     {"cam", cam, cam_end, true, THINS},
     {"bearing", bearing, bearing_end, true, THINS},
-    {"indented", roller, indented_end, true, THINS},
+    {"indented", roller, indented_end, true, THINS_ABOVE("3")},
     {"numbers", numbers, numbers_end, false, THINS_BY_NUMBER},
     {"starved", starved, starved_end, true, NULL},
     {"discs", discs, NULL, true, NULL}, /* with lubricants of their own */

@@ -118,7 +118,8 @@ refuses 'yield: has no effect without \[stress\]' \
 # layers makes 1e-6. Below one of other moduli residual stresses are not known.
 "$OVERROLL" init indented >indented.ini
 sed -i 's/^modulus = 226 GPa .*//; s/^level = .*/level = 6/
-    s/^number = .*/number = 1/' indented.ini
+    s/^number = .*/number = 1/
+    s/^eyring_stress = .*/eyring_stress = 5 MPa/' indented.ini
 for case in bare coated stiff; do
     {
         cat indented.ini

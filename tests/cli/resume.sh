@@ -113,7 +113,8 @@ END
 for case in 'contact.M=12 --set contact.L=60' strip.width=1; do
     rm -f ./gap*.h5*
     expect 0 "$OVERROLL" run gap.ini -o gap.h5 --set $case
-    contains err 'domain.faces = gap'
+    # Rounding decides whether a strategy before it succeeds.
+    case $BUILD in *-san*) ;; *) contains err 'domain.faces = gap' ;; esac
     expect 0 "$OVERROLL" run gap.ini -o gap_part.h5 -q --set $case \
         --set time.end=0.03
     expect 0 "$OVERROLL" resume gap_part.h5 -q --set time.end=0.06

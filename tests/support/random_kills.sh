@@ -73,4 +73,4 @@ for folder in once killed tasks; do
         fail "no statistics of $folder"
     cmp $folder.told once.told || fail "other statistics of $folder"
 done
-contains once.told '^probability of at least 0.06  *0[.]'
+contains once.told '^probability of at least 0.06 b.2/R  *0[.]'
