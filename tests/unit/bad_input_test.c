@@ -45,7 +45,7 @@ static bool shows(const char *message, const char *format, double number)
 /* The unit of messages in SI: angles are in degrees. */
 static double unit_of(const ovr_parameter_info *p)
 {
-    return strncmp(p->units, "deg,", 4) ? 1 : 0.017453292519943295;
+    return strncmp(p->units, "rad,", 4) ? 1 : 0.017453292519943295;
 }
 
 /* All words; a number's largest value, or its units. */
@@ -106,13 +106,13 @@ static void bad_value(const ovr_parameter_info *p, const char *value)
     ovr_case_free(c);
 }
 
-/* The value with its unit, where a unit must be. */
+/* The value in the SI unit, where a unit must be. */
 static void put_number(const ovr_parameter_info *p, double value, char *number,
                        size_t capacity)
 {
     bool unit = *p->units && !*p->bare;
-    snprintf(number, capacity, "%.17g%s%.*s", value / unit_of(p),
-             unit ? " " : "", unit ? (int)strcspn(p->units, ",") : 0, p->units);
+    snprintf(number, capacity, "%.17g%s%.*s", value, unit ? " " : "",
+             unit ? (int)strcspn(p->units, ",") : 0, p->units);
 }
 
 /* Taken or refused as the range says; and if taken, resolving ends well or
