@@ -305,7 +305,8 @@ static ovr_status refuse_in_strip(const ovr_resolved *r, ovr_error *err)
         const ovr_slot *slot = block ? ovr_block_get(block, feature.key) : NULL;
         bool whole = block && block->section->whole;
         bool on = whole ? ovr_block_is_there(block) : slot && slot->given;
-        if (conflict && on && (whole || strcmp(slot->text, conflict->instead)))
+        if (conflict && on &&
+            (whole || strcmp(slot->text, conflict->instead) != 0))
             return refuse(r, conflict, err);
     }
     return OVR_OK;

@@ -187,7 +187,7 @@ size_t ovr_strip_spots(ovr_strip *strip, ovr_strip_level *level,
 {
     const ovr_strip_grid *g = &level->grid;
     place centre[PATCHES];
-    double parts[PATCHES];
+    double parts[PATCHES] = {0};
     size_t count = 0, solved = 0;
     ovr_strip_choose_nodes(strip, level, how);
     for (size_t i = 1; i + 1 < g->n; i++)
