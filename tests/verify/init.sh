@@ -10,5 +10,5 @@ for kind in bearing indented strip; do
     if grep warning err; then
         fail "init $kind warns"
     fi
-    rm quiet.*
+    rm -f ./quiet*
 done

@@ -66,7 +66,7 @@ static void start_dry(ovr_simulation *sim, const ovr_asperity_law *law,
 bool ovr_mixed_from_dry(ovr_simulation *sim, const ovr_asperity_law *law,
                         const ovr_full *how, ovr_defect *d, int *cycles)
 {
-    enum { PATIENT = 200, TRIAL = 40 };
+    enum { PATIENT = 200, TRIAL = 60 };
     ovr_full patient = *how;
     prepare(sim);
     start_dry(sim, law, sim->finest);
