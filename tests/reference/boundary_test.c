@@ -409,11 +409,12 @@ static touching of_user(double slope, double speed)
 }
 
 /*
- * At low speed the oil carries a thousandth of the load and less, R ends where
- * the rounding of pressures is, and the film is that of the dry contact.  There
- * the oil's share goes with the speed (its pressure is that of a gap that it
- * does not change), and all of it stays between both limits.  lambda and ph: b
- * = sqrt(8 w R/(pi E')), s = Rq/2.15 in b^2/R, a = 0.38 (E'/2) slope/ph.
+ * At low speed the fluid carries a thousandth of the load or less, R ends at
+ * the rounding error of the pressures, and the film is that of the dry
+ * contact. The fluid's share is then proportional to the speed, since its
+ * pressure does not change the gap, and remains between both limits. Lambda
+ * ratio and ph: b = sqrt(8 w R/(pi E')), s = Rq/2.15 in b^2/R, a = 0.38 (E'/2)
+ * slope/ph.
  */
 TEST(slow_films_are_those_of_the_dry_contact)
 {

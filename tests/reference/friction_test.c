@@ -238,8 +238,9 @@ TEST(steady_power_is_dissipated)
     CHECK_CLOSE(o.power_in, -(o.F_1 * 1.75 + o.F_2 * 0.25), 1e-10);
 }
 
-/* Where nothing is steep; the sliding part of a Newtonian film goes with the
- * viscosity at the spike, which grows with every level. */
+/* A contact without a steep pressure spike. The sliding friction of a
+ * Newtonian film would follow the viscosity at the spike, which increases with
+ * every level. */
 TEST(rolling_friction_is_of_second_order)
 {
     double F[3];

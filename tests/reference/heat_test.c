@@ -572,8 +572,9 @@ TEST(points_by_the_steady_start)
     }
 }
 
-/* The film ends a node later from some contact of this row on: none between is
- * without a solution because what the last wet node lets through jumps. */
+/* In this row of contacts the film end moves to the next node. All contacts
+ * have a solution, although the flow past the last pressurized node jumps
+ * there. */
 TEST(the_end_moves_on)
 {
     enum { CONTACTS = 21 };

@@ -100,9 +100,9 @@ TEST(dry_contact_of_two)
     CHECK_CLOSE(ovr_images_dry(&images, a).pressure / a, 0.9892346362, 1e-6);
 }
 
-/* A layer on what is 1e5 times stiffer, and so the other body; thin ones give
- * way as their own limits say, w = 2/3 m a^3/(t R), to the first order in t/a,
- * and half the thickness halves what is missing. */
+/* A layer on a substrate 1e5 times as stiff, against an equally stiff body.
+ * The contact of a thin layer approaches its own limit, w = 2/3 m a^3/(t R),
+ * to first order in t/a: half the thickness halves the difference. */
 TEST(rigid_base)
 {
     const double E = 1e5;

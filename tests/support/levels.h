@@ -5,9 +5,10 @@
 
 #include <stdint.h>
 
-/* So many random contacts, M = 5 to 1000, L = 1 to 15, H_cen and H_min to 1e-2
- * to 1e-4, beside two levels more.  Fails where an error is larger than was
- * asked for and the run did not say so, or more than a tenth are. */
+/* Random steady contacts, M = 5 to 1000, L = 1 to 15, with a requested error
+ * of H_cen or H_min of 1e-2 to 1e-4, compared with two levels more. Fails if
+ * an error exceeds the request without a warning of the run, or if more than a
+ * tenth of the errors do. */
 void test_levels_steady(uint64_t seed, int cases);
 
 /* The same of runs with a dent or a wave that rolls or slides through, H_cen

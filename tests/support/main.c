@@ -22,7 +22,7 @@ void test_list(test_listed *one)
 }
 
 /* "build/tests/unit/arena_test" ends in "unit/arena_test", as does
- * "tests/unit/arena_test.c" but for its ending. */
+ * "tests/unit/arena_test.c" without its suffix. */
 static bool is_of(const char *file, const char *called)
 {
     const char *name = strstr(file, "tests/") + strlen("tests/");

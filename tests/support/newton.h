@@ -22,10 +22,10 @@ typedef struct dense {
     double *P, *H, *q;     /* solution */
     double *rho, *eta;
     double H0;
-    double *kernel;                 /* K/pi at 0..n-1 meshes */
+    double *kernel;                 /* K/pi at distances 0..n-1 D */
     double (*thickening)(double H); /* factor on the viscosity, or NULL */
-    /* which nodes are dry by P and r together, without clipping: ends of the
-     * film that run (Hintermueller, Ito & Kunisch 2002) */
+    /* cavitated nodes are chosen by P and r together, without clipping, for
+     * film ends that move far (Hintermueller, Ito & Kunisch 2002) */
     bool primal_dual;
 } dense;
 

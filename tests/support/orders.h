@@ -7,9 +7,9 @@
 #include <stdint.h>
 
 /* `contacts` from a seed on, printed: M 5 to 1000 (logarithmic), L 0 to 15,
- * levels 7, 8 and 9 in turn, order = auto.  None whose mesh is below 0.29 of
- * the length in which pressure builds up, H^(2/3), may fall back to second
- * order or fail; beyond, a mesh may be too coarse, which is said. */
+ * levels 7, 8 and 9 in turn, order = auto. If the mesh size is below 0.29
+ * H^(2/3), the length of the inlet, no contact may fail or fall back to second
+ * order. A coarser mesh may be refused with a message. */
 void test_order_survey(uint64_t seed, int contacts);
 
 /* Of Eyring films: M to 100, tau0 0.03 to 1 of ph b/R, SRR 0 to 1. */

@@ -6,10 +6,10 @@
 #include <stdint.h>
 
 /* `cases` of mixed physics (random_case.h) from a seed on, at a level, with
- * --estimate-error; the truth is of `finer` levels more, at the same time.  At
- * most `maximum` cases may tell of films or pressures less than half of the
- * true error, and a third of all these must be told at all; printed.  Returns
- * how many told less. */
+ * --estimate-error. The true error is from `finer` levels more, at the same
+ * time. At most `maximum` cases may have an estimate of film or pressure below
+ * half of the true error, and a third of all cases must have estimates. Prints
+ * them. Returns the number of too small estimates. */
 int test_told_survey(uint64_t seed, int cases, int level, int finer,
                      int maximum);
 

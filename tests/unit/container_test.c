@@ -275,8 +275,9 @@ static void make_filtered(hid_t file, const char *name)
     H5Pclose(how);
 }
 
-/* A header that cannot grow where it is goes on elsewhere, and HDF5 moves a
- * message there to make space: attributes are listed as they were made. */
+/* An object header that cannot grow in place is continued in another block,
+ * and HDF5 moves a message there to make space. Attributes are listed in the
+ * order of creation. */
 TEST_IN_FOLDER(lists_attributes_in_order)
 {
     const char *path = test_path(*state, "order.h5");

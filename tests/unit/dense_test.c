@@ -61,7 +61,8 @@ TEST(singular_is_refused)
     }
 }
 
-/* Rows of any length; the plain one by what it makes of an impulse. */
+/* Rows of any length. The plain kernel is checked by its response to an
+ * impulse. */
 TEST(rows_agree)
 {
     const double c[4] = {0.3, -2, 5, 0.7};

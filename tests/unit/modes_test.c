@@ -229,8 +229,8 @@ static double cold_start(double u, double kappa, double time)
     return off / T;
 }
 
-/* What goes on beyond the ends as if it had always been there comes back too
- * warm from there where a surface is slow. */
+/* If the state beyond the ends is assumed to have existed forever, heat
+ * returns from there too warm where a surface is slow. */
 TEST(cold_starts)
 {
     static const struct slow {

@@ -304,7 +304,7 @@ TEST_IN_FOLDER(check_counts_it)
     bytes -= number(said, "memory_bytes");
     seconds -= number(said, "estimated_seconds");
     free(said);
-    /* a steady start takes some steps more */
+    /* a steady start needs some more steps */
     assert_true(seconds >= test_layer.in_case->node_seconds * node_steps);
     assert_true(seconds < 2 * test_layer.in_case->node_seconds * node_steps);
     /* worn depth, now and kept */

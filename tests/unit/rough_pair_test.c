@@ -115,9 +115,9 @@ TEST(volume_is_kept)
     ovr_arena_release(&arena);
 }
 
-/* Worn away by hand at one pressure: peaks go, what touches grows, the gap
- * closes (another program: 0.066 Rq of volume take the highest peak from 2.94
- * to 1.83 Rq, double what touches and 27 % of the gap). */
+/* Wear at one pressure: peaks vanish, the contact area grows and the gap
+ * closes. Another program: a wear volume of 0.066 Rq lowers the highest peak
+ * from 2.94 to 1.83 Rq, doubles the contact area and closes 27 % of it. */
 TEST(running_in_removes_the_peaks)
 {
     const double load = 0.03;

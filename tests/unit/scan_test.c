@@ -107,8 +107,8 @@ TEST(scans_agree)
         }
 }
 
-/* The plain ones by hand: equal values, a peak with a shoulder, pairs of wet
- * nodes at 1 and 2 alone (a pair at an end does not count). */
+/* Plain scans, by hand: equal values, a peak with a shoulder, pairs of
+ * pressurized nodes only at 1 and 2 (a pair at an end does not count). */
 TEST(plain_scans_by_hand)
 {
     const double x[] = {3, 1, 4, 4, 1, 5, 0, 5}, y[] = {3, 2, 4, 1, 1, 5, 7, 5};

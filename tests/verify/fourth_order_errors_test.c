@@ -188,8 +188,8 @@ TEST(nothing_happens)
     ovr_simulation_free(sim);
 }
 
-/* A feature that grows in place ends in the steady solution, but for what third
- * differences along the characteristic leave of the wedge: an error of third
+/* A feature that grows in place ends in the steady solution, except for the
+ * third differences of the wedge along the characteristic: an error of third
  * order. */
 TEST(comes_to_rest_in_the_steady_solution)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* 2,000 random steady contacts and 200 random runs. Failures have a reason: in
  * steady cases films too thin for the level (levels 6 to 8), in runs only
- * surfaces that touch: bumps of 1.1 to 1.3 H_cen, 0.11 to 0.16 b wide, in
+ * surfaces in contact: bumps of 1.1 to 1.3 H_cen, 0.11 to 0.16 b wide, in
  * contacts of M = 6 to 11. There the discrete film thickness is negative by an
  * amount that vanishes with D, in 3 of 200 runs at level 7. At most one step of
  * a run is flagged.
