@@ -136,7 +136,7 @@ typedef struct alternative {
 
 /* Parses "[stress]" (without "no"): a section as a key that is given or not. */
 static alternative parse_section(const ovr_case *c, const ovr_block *own,
-                                 const char *text)
+                                 const char *text, bool absent)
 {
     static const ovr_slot there = {.given = true}, missing = {.number = NAN};
     char name[OVR_NAME_MAX];
@@ -144,7 +144,8 @@ static alternative parse_section(const ovr_case *c, const ovr_block *own,
     const ovr_block *block = ovr_case_find_block(c, name, NULL);
     return (alternative){.section = own->section,
                          .slot = ovr_block_is_there(block) ? &there : &missing,
-                         .rest = ""};
+                         .rest = "",
+                         .absent = absent};
 }
 
 static alternative parse_alternative(const ovr_case *c, const ovr_block *own,
@@ -155,24 +156,20 @@ static alternative parse_alternative(const ovr_case *c, const ovr_block *own,
     const ovr_block *block = own;
     bool absent = !strncmp(text, "no ", 3);
     const char *where = text + 3 * absent;
-    alternative a = {0};
     if (*where == '[')
-        a = parse_section(c, own, where);
-    a.absent = absent;
-    if (*where == '[')
-        return a;
+        return parse_section(c, own, where, absent);
     char name[2 * OVR_NAME_MAX], *key = name;
     size_t length = strcspn(where, " ");
     snprintf(name, sizeof name, "%.*s", (int)length, where);
-    a.rest = where + length + strspn(where + length, " ");
     if (strchr(name, '.')) {
         key = strchr(name, '.');
         *key++ = '\0';
         block = ovr_case_find_block(c, name, NULL);
     }
-    a.section = block ? block->section : own->section;
-    a.slot = block ? ovr_block_get(block, key) : &nothing;
-    return a;
+    return (alternative){.section = block ? block->section : own->section,
+                         .slot = block ? ovr_block_get(block, key) : &nothing,
+                         .rest = where + length + strspn(where + length, " "),
+                         .absent = absent};
 }
 
 static bool is_one_of(const char *text, const char *words)

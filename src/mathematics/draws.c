@@ -126,6 +126,18 @@ static const sobol_dimension dimensions[OVR_SOBOL_MAX] = {
 
 enum { SOBOL_BITS = 30 };
 
+/* Returns direction number m_j, j >= degree, from the `degree` numbers before
+ * it, m_(j-degree) first. */
+static unsigned next_direction(const unsigned *before, unsigned degree,
+                               unsigned polynomial)
+{
+    unsigned next = *before;
+    for (unsigned i = 1; i <= degree; i++)
+        if (polynomial >> (degree - i) & 1)
+            next ^= before[degree - i] << i;
+    return next;
+}
+
 /* Returns coordinate `k` of point n, which is 0 for n = 0; the points are in
  * the order of the Gray code of n (Antonov & Saleev 1979). */
 static double sobol(size_t k, uint64_t n)
@@ -135,14 +147,12 @@ static double sobol(size_t k, uint64_t n)
     const uint64_t gray = n ^ (n >> 1);
     unsigned m[SOBOL_BITS] = {0}, point = 0;
     for (unsigned j = 0; j < SOBOL_BITS && gray >> j; j++) {
-        if (j < degree || k == 0) {
-            m[j] = k ? d->first[j] : 1;
-        } else {
-            m[j] = m[j - degree];
-            for (unsigned i = 1; i <= degree; i++)
-                if (d->polynomial >> (degree - i) & 1)
-                    m[j] ^= m[j - i] << i;
-        }
+        if (k == 0)
+            m[j] = 1;
+        else if (j < degree)
+            m[j] = d->first[j];
+        else
+            m[j] = next_direction(m + j - degree, degree, d->polynomial);
         if (gray >> j & 1)
             point ^= m[j] << (SOBOL_BITS - 1 - j);
     }
