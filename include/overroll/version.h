@@ -3,6 +3,6 @@
 #ifndef OVERROLL_VERSION_H
 #define OVERROLL_VERSION_H
 
-#define OVERROLL_VERSION "0.3.0"
+#define OVERROLL_VERSION "0.4.0"
 
 #endif

@@ -133,8 +133,7 @@ cp "$TOP"/src/*/overroll*.[1357] "$page" .
 version=$(sed -n 's/.*OVERROLL_VERSION "\(.*\)"/\1/p' \
     "$TOP/include/overroll/version.h")
 for page in overroll*.[1357]; do
-    ! grep -q '^\.TH.*"overroll [0-9]' "$page" ||
-        grep -q "^\.TH.*overroll $version" "$page" ||
+    grep -q "^\.TH.*\"overroll $version\"" "$page" ||
         fail "$page: not version $version"
 done
 # References lead somewhere.

@@ -2,7 +2,7 @@
 class Overroll < Formula
   desc "Transient rough-surface elastohydrodynamic lubrication of line contacts"
   homepage "https://doi.org/10.1115/1.2920277"
-  url "file:///path/to/overroll-0.3.0.tar.gz"
+  url "file:///path/to/overroll-0.4.0.tar.gz"
   sha256 "0000000000000000000000000000000000000000000000000000000000000000"
   license "GPL-3.0-or-later"
 

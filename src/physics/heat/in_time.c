@@ -20,9 +20,8 @@ static const double SHARE = 0.5;
  * number of passes caused by a changed pressure only. */
 enum { PASSES = 6, MOVED = 2 };
 
-/* Fields stored in addition to temperatures. Checkpoints of version 0.3.0
- * contain the first five. */
-enum { FIELDS = OVR_HEAT_KEPT - OVR_CROSS_FILM_MAX, FIRST_FIELDS = 5 };
+/* Number of fields stored in addition to temperatures. */
+enum { FIELDS = OVR_HEAT_KEPT - OVR_CROSS_FILM_MAX };
 
 /* --------------------------------------------------------------- creation */
 
@@ -397,11 +396,8 @@ void ovr_heat_visit(ovr_simulation *sim, void *own, ovr_pieces *state)
     for (int j = 0; j < points; j++)
         ovr_show_nodes(sim, state, "temperature_change", j + 1,
                        h->steps->change[j]);
-    for (int k = 0; k < points + FIRST_FIELDS; k++)
+    for (int k = 0; k < points + FIELDS; k++)
         ovr_show_nodes(sim, state, "viscosity_by", k + 1, kept_of(h, k));
-    for (int k = FIRST_FIELDS; k < FIELDS; k++)
-        ovr_show_nodes(sim, state, "skew", k - FIRST_FIELDS + 1,
-                       kept_of(h, points + k));
     for (int k = 0; k < 2; k++) {
         ovr_show_nodes(sim, state, "heat_flux", k + 1, h->q[k]);
         ovr_heat_surface_visit(sim, k, state);
