@@ -70,14 +70,16 @@ TEST(rolling)
     assert_true(maximum.H_min < 0.12);
 }
 
-/* Statements about sliding surfaces. */
+/* The errors of sliding surfaces stated in overroll(1). With the linear theory
+ * of sliding waves Rq was 0.906 to 1.269 times the prediction. The minimum film
+ * thickness was 0.091 of the smooth one thicker to 0.028 thinner. */
 TEST(sliding)
 {
     static const double slide[] = {-1, -0.5, 0.5, 1};
     for (int k = 0; k < 4; k++) {
         errors maximum;
         survey(201, 5, slide[k], &maximum);
-        assert_true(maximum.low > 0.88 && maximum.high < 1.3);
-        assert_true(maximum.thinner < 0.035 && maximum.thicker < 0.12);
+        assert_true(maximum.low > 0.9 && maximum.high < 1.3);
+        assert_true(maximum.thinner < 0.03 && maximum.thicker < 0.1);
     }
 }
