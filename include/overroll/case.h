@@ -184,9 +184,9 @@ typedef struct ovr_passes_setup {
                         all 1 */
 } ovr_passes_setup;
 
-/* A resolved case. */
-
 struct ovr_resolved;
+
+/* A resolved case. */
 typedef struct ovr_setup {
     const ovr_contact *contact;
     const ovr_lubricant *lubricant;
@@ -256,16 +256,15 @@ OVR_API ovr_status ovr_setup_prepare(ovr_setup *setup,
                                      const ovr_allocator *allocator,
                                      ovr_error *err);
 
-/* Creates the simulation with surfaces and histories, which the setup owns:
- * setup and case must outlive the simulation. Calls ovr_setup_prepare if
- * necessary. */
-
 /* Reports the numbers of each physical model of the case, one line per
  * number. */
 typedef void ovr_setup_line(void *data, const char *name, const char *text);
 OVR_API void ovr_setup_describe(const ovr_setup *setup, ovr_setup_line *line,
                                 void *data);
 
+/* Creates the simulation with surfaces and histories, which the setup owns:
+ * setup and case must outlive the simulation. Calls ovr_setup_prepare if
+ * necessary. */
 OVR_API ovr_simulation *ovr_setup_simulation(ovr_setup *setup,
                                              const ovr_allocator *allocator,
                                              ovr_error *err);

@@ -135,7 +135,7 @@ typedef enum ovr_density_law {
     OVR_DENSITY_TABLE
 } ovr_density_law;
 
-/* Constants of Yasutomi's law (contact/laws/yasutomi.h); temperatures in K. */
+/* Constants of Yasutomi's relation (overroll-theory(7)). */
 typedef struct ovr_yasutomi {
     double C1, C2, Tg0, A1, T; /* C1 bare; the others K */
     double A2, b1, b2;         /* A2, b1 per unit of pressure; b2 bare */

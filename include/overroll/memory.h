@@ -2,10 +2,11 @@
 /*
  * Memory: one allocator hook.
  *
- * Every object of the library takes an optional `const ovr_allocator *`
- * (NULL: malloc and free), copies it, and gets all its memory through it:
- * a program can count, bound or fail the allocations.  `allocate` returns
- * NULL on failure, else memory aligned for any type; contents are undefined.
+ * A constructor with an argument `const ovr_allocator *` copies it (NULL:
+ * malloc and free), and its object allocates through it, so that a program can
+ * count, bound or fail the allocations.  Memory that HDF5, FFTW, GSL, expat and
+ * nettle allocate is not included.  `allocate` returns NULL on failure,
+ * otherwise memory aligned for any type with undefined contents.
  */
 #ifndef OVERROLL_MEMORY_H
 #define OVERROLL_MEMORY_H

@@ -9,7 +9,6 @@
 #include "overroll/contact.h"
 #include "overroll/elements.h"
 #include "overroll/error.h"
-#include "overroll/heat.h"
 #include "overroll/memory.h"
 #include "overroll/pictures.h"
 #include "overroll/profile.h"

@@ -6,10 +6,9 @@
  * A profile is n points (x, z), x increasing, heights positive out of the
  * surface; missing heights are NAN until ovr_profile_condition fills them.
  * Both are in metres, or in units of the contact (b and b^2/R) if the file
- * specifies them.  Formats are recognized by content: text (also gzipped), SDF
- * text and binary, SMD, X3P.  Nothing about units is guessed in silence:
- * assumptions are listed in `notes`, and missing information is an error that
- * names what to add.
+ * specifies them.  Formats (overroll-profile(5)) are recognized by content.
+ * Assumptions of the reader are listed in `notes`.  Missing information, such
+ * as a unit, is an error whose message names what to add.
  */
 #ifndef OVERROLL_PROFILE_H
 #define OVERROLL_PROFILE_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Result files: HDF5 that is also netCDF-4, written during the run and readable
- * at the same time. Layout: see overroll-result(5).
+ * Reading result files: HDF5 that is also netCDF-4, written during the run and
+ * readable at the same time. Layout: see overroll-result(5).
  */
 #ifndef OVERROLL_RESULTS_H
 #define OVERROLL_RESULTS_H
@@ -18,66 +18,7 @@
 extern "C" {
 #endif
 
-/* ---------------------------------------------------------------- writer */
-
 enum { OVR_MAX_RANK = 4 }; /* maximum number of dimensions of a dataset */
-
-/* Default fields of a snapshot, as bits: pressure, film thickness and surface
- * height. */
-enum { OVR_FIELDS_DEFAULT = 7 };
-
-/* One parameter of the case, stored as an attribute of the group `case`. */
-typedef struct ovr_case_value {
-    const char *name; /* "contact.M" */
-    const char *text; /* value as in a case file: "20", "22 1/GPa" */
-    double number; /* value in SI or without a unit; NAN: the text is stored */
-    const char *unit; /* SI unit of the number, or NULL */
-    bool physics;     /* the value affects the solution, so that resuming with
-                         another value is an error */
-} ovr_case_value;
-
-typedef struct ovr_writer ovr_writer;
-
-/* The end of a run: the file's attribute `status`. */
-typedef enum ovr_run_status {
-    OVR_RUN_RUNNING,
-    OVR_RUN_COMPLETE,
-    OVR_RUN_STOPPED,
-    OVR_RUN_FAILED
-} ovr_run_status;
-
-/* A separate group such as "fatigue/surface_1" for data that are not given at
- * the nodes of the film. Values are dimensionless; the file stores them in its
- * units. An axis without values is the time of appended rows. */
-typedef struct ovr_group_axis {
-    const char *name, *long_name;
-    ovr_unit_kind kind;
-    size_t count;
-    const double *values;
-} ovr_group_axis;
-
-/* An array along some of the axes: flags, floats, doubles, or rows that are
- * appended later. */
-typedef struct ovr_group_array {
-    const char *name, *long_name;
-    ovr_unit_kind kind;
-    int rank, along[OVR_MAX_RANK];
-    const unsigned char *flags;
-    const float *singles;
-    const double *doubles;
-} ovr_group_array;
-
-/* An attribute: a text, or (text NULL) a number. */
-typedef struct ovr_group_attribute {
-    const char *name, *text;
-    double number;
-} ovr_group_attribute;
-
-/* Visits the state of an object, for checkpoints. */
-typedef ovr_status ovr_visited(void *object, ovr_visit *visit, void *context,
-                               ovr_error *err);
-
-/* ---------------------------------------------------------------- reader */
 
 /*
  * A file may be read while it is written.  The rows counted when the file was

@@ -20,7 +20,6 @@
 
 #include "overroll/contact.h"
 #include "overroll/error.h"
-#include "overroll/heat.h"
 #include "overroll/memory.h"
 
 #ifdef __cplusplus
@@ -69,7 +68,7 @@ typedef enum ovr_cavitation {
 } ovr_cavitation;
 
 /* Nested patches of finer grids where the grid of the domain is too coarse
- * (multigrid/composite.h). They need a steady, Newtonian, isothermal contact,
+ * (overroll-theory(7)). They need a steady, Newtonian, isothermal contact,
  * a second-order scheme, the line smoother, cycles to a tolerance and at least
  * level 6. The pressure is then linear between nodes. */
 typedef enum ovr_refine {
@@ -86,7 +85,7 @@ typedef struct ovr_options {
     ovr_scheme
         scheme; /* OVR_CHARACTERISTIC, or OVR_UPSTREAM2 for long steps and
                    varying load or speed; both have the same steady solution */
-    int order;  /* 2, or 4: with corrections (fourth_order.h), which need a
+    int order;  /* 2, or 4: with corrections (overroll-theory(7)), which need a
                    second-order scheme, the line smoother and no fixed number of
                    cycles; 0: 4 if possible */
     ovr_smoother smoother;
@@ -456,10 +455,6 @@ typedef struct ovr_extreme {
 OVR_API bool ovr_extreme_at(size_t k, ovr_extreme *to);
 OVR_API double ovr_extreme_value(const ovr_extreme *which,
                                  const ovr_statistics *from);
-
-/* Called for each part of a state with its name, address and size in bytes. */
-typedef ovr_status ovr_visit(void *context, const char *name, void *memory,
-                             size_t bytes, ovr_error *err);
 
 /* ---------------------------------------------------------- time loop */
 

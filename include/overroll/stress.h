@@ -1,29 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Stresses below the surface, and the fatigue of the material that passes
- * through them.
+ * The report on stresses below a surface and on the fatigue of the material
+ * that passes through them.
  *
  * Elastic half plane, plane strain.  Lengths in b, stresses in p_h; z > 0 is
- * depth into the body, tension is positive, pressure P >= 0 is compressive, Q
- * is the traction on the body along +X.  Of the three stresses in the plane
- *
- *     h = -(sigma_x + sigma_z)/2,  d = (sigma_x - sigma_z)/2,  tau = tau_xz
- *
- * are kept: sigma_x = d - h, sigma_z = -d - h, sigma_y = -2 nu h.
- *
- * A snapshot's fields at all depths:
- *     ovr_stress *stress = ovr_stress_create(&options, NULL, &err);
- *     ovr_stress_solve(stress, P, NULL, 0, OVR_STRESS_ALL_LEVELS);
- *     ovr_stress_row row = ovr_stress_at(stress, k);
- *
- * The stress history of the material of one surface over a whole run:
- *     ovr_material_history *m =
- *         ovr_material_history_create(&options, &range, NULL, &err);
- *     ovr_material_history_begin(m, P, NULL, &moment);      steady start
- *     ovr_material_history_step(m, P, NULL, &moment);       each step
- *     ovr_material_history_end(m, P, NULL, &moment);        last state
- *     ovr_material_history_amplitude(m, OVR_CRITERION_CIRCLE, 0, A);
- *     ovr_life(...)
+ * depth into the body, tension is positive.
  */
 #ifndef OVERROLL_STRESS_H
 #define OVERROLL_STRESS_H
@@ -31,76 +12,11 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "overroll/error.h"
-#include "overroll/memory.h"
-
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* ------------------------------------------------- fields of a snapshot */
-
-/* Interpolation of the pressure between two nodes. */
-typedef enum ovr_element {
-    OVR_ELEMENT_AUTO,  /* points from 4 D downward, splines above */
-    OVR_ELEMENT_POINT, /* line loads: exact from 4 D downward */
-    OVR_ELEMENT_HAT,   /* linear between nodes, order 2 */
-    OVR_ELEMENT_SPLINE /* cardinal cubic splines, order 4 */
-} ovr_element;
-
-typedef struct ovr_stress ovr_stress;
-
-/* Bits of all levels of depths; depths of level c have nodes at distances 2^c
- * D. */
-#define OVR_STRESS_ALL_LEVELS (~0U)
-
-/* Stresses at one depth. Value i is at X = start + i step: d at shear[2 i],
- * tau at shear[2 i + 1], h at mean[2 i]. Valid until the next solve. */
-typedef struct ovr_stress_row {
-    double z;
-    int level;          /* step = 2^level D */
-    double start, step; /* first X, with the shift; distance of values */
-    size_t count;
-    const float *shear, *mean;
-} ovr_stress_row;
-
-/* Stresses computed from h, d and tau, including residual stresses. */
-typedef enum ovr_stress_field {
-    OVR_STRESS_SIGMA_X,
-    OVR_STRESS_SIGMA_Z,
-    OVR_STRESS_TAU_XZ,
-    OVR_STRESS_SIGMA_Y,
-    OVR_STRESS_VON_MISES,
-    OVR_STRESS_MAX_SHEAR, /* in the plane */
-    OVR_STRESS_TRESCA,    /* maximum shear stress on any plane */
-    OVR_STRESS_HYDROSTATIC,
-    OVR_STRESS_FIELDS
-} ovr_stress_field;
-
-typedef struct ovr_in_plane {
-    double h, d, tau;
-} ovr_in_plane;
-
-/* ------------------------------------------------------ stress histories */
-
-/* State of the motion at one time of a run. */
-typedef struct ovr_moment {
-    double T;
-    double U;  /* distance travelled by the surface since T = 0, b */
-    double dU; /* maximum relative displacement of surfaces and film since the
-                  previous time */
-    int direction;  /* direction of the surface's motion: 1 or -1 */
-    bool disturbed; /* a feature is within |X| < 2 (begin, end) */
-} ovr_moment;
-
-typedef struct ovr_material_history ovr_material_history;
-
-/* Memory blocks that form the state between two steps. */
-typedef struct ovr_memory_piece {
-    const char *name;
-    void *memory;
-    size_t bytes;
-} ovr_memory_piece;
+/* ------------------------------------------------- material and measures */
 
 /* Grid of material points at the shallowest depth: xi_k = start + k step. */
 typedef struct ovr_material {
@@ -130,33 +46,6 @@ typedef enum ovr_measure {
     OVR_MEASURES
 } ovr_measure;
 
-/* ------------------------------------------------------------------ life */
-
-typedef enum ovr_criterion {
-    OVR_CRITERION_CIRCLE, /* circle + alpha max(hydrostatic, 0) */
-    OVR_CRITERION_ORTHOGONAL,
-    OVR_CRITERION_CRITICAL_PLANE,
-    OVR_CRITERION_DANG_VAN, /* maximum over time of distance from the centre of
-                               the circle + alpha hydrostatic stress */
-    OVR_CRITERION_VON_MISES,
-    OVR_CRITERION_TRESCA
-} ovr_criterion;
-
-typedef struct ovr_life_options {
-    double
-        limit; /* fatigue limit A_u in p_h; smaller amplitudes have no effect */
-    double exponent;       /* c; 31/3 */
-    double depth_exponent; /* h; 7/3 */
-    double weibull;        /* e; 9/8 */
-    double least_depth;    /* minimum depth for risk and utilization */
-    /* Fatigue limit A_u against depth, for hardened bodies, instead of
-     * `limit`: increasing depths, linear interpolation, constant beyond the
-     * ends. */
-    size_t limits;         /* 0: no table */
-    const double *limit_z; /* [limits] */
-    const double *limit_A; /* [limits], above 0 */
-} ovr_life_options;
-
 typedef struct ovr_life_result {
     double smooth_risk; /* risk per length of the smooth raceway, i_0, from
                            least_depth downward */
@@ -170,12 +59,6 @@ typedef struct ovr_life_result {
     double used_xi, used_z,
         used_limit; /* position of the maximum A/A_u, and A_u there */
 } ovr_life_result;
-
-/* ------------------------------------------------------- circle of a path */
-
-typedef struct ovr_circle {
-    double d, tau, radius;
-} ovr_circle;
 
 /* ------------------------------------------------------- report on a body */
 

@@ -1,19 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Surfaces: features and profiles convected by the two moving surfaces.
+ * Surfaces: features and profiles convected by the two moving surfaces, as a
+ * case describes them in its sections [feature NAME].
  *
  *     S(X, T) = S1(X - X1(T)) + S2(X - X2(T)),  dXk/dT = Cu(T) u_k/um
  *
  * in units of b^2/R, positive out of the surface (a dent is negative).  Each
  * surface carries any number of features; they may overlap, repeat and
  * outlast the run.
- *
- *     ovr_feature_form form = ovr_feature_form_default();
- *     form.shape = OVR_DENT, form.depth = 0.1, form.width = 0.5;
- *     form.start = -4.6;
- *     ovr_surfaces *s = ovr_surfaces_create(&contact, NULL, D, NULL, &err);
- *     ovr_surfaces_add(s, &form, &err);
- *     ovr_simulation_surface(sim, ovr_surfaces_heights, s);
  */
 #ifndef OVERROLL_SURFACE_H
 #define OVERROLL_SURFACE_H
@@ -137,8 +131,8 @@ typedef struct ovr_feature_form {
     ovr_shape shape;
 
     /* Position, by at most one of these members (wave and texture: origin or
-     * none). By default a feature starts just upstream of the inlet, if the
-     * inlet is known (ovr_surfaces_domain), as with start = -INFINITY. */
+     * none). By default a feature starts just upstream of the inlet, as with
+     * start = -INFINITY. */
     double start;   /* X of the centre at T = 0; step: of the edge; profile and
                        roughness: of the leading end (largest x) */
     double centre;  /* X of the centre at T = 0, for profiles as well */

@@ -4,10 +4,11 @@
 #define OVR_CASE_SETTINGS_H
 
 #include "contact/contact.h"
+#include "contact/heat_numbers.h"
 #include "contact/history.h"
 #include "contact/oil.h"
+#include "elements/elements.h"
 #include "overroll/case.h"
-#include "overroll/elements.h"
 
 /* Levels that are chosen automatically (case/setup.c). */
 enum {

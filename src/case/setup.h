@@ -5,6 +5,7 @@
 
 #include "base/given.h"
 #include "contact/layers.h"
+#include "elements/elements.h"
 #include "overroll/case.h"
 
 /* Return the gear pair, cam or bearing of a case; NULL: none. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Dimensionless numbers of heat (equations in overroll/heat.h). */
+/* Dimensionless numbers of heat (equations in heat_numbers.h). */
 #include "contact/heat_numbers.h"
 
 #include <math.h>
@@ -108,7 +108,7 @@ ovr_status ovr_heat_make(const ovr_heat_form *form, const ovr_contact *contact,
     return OVR_OK;
 }
 
-/* x of overroll/heat.h, with a lower bound far below real temperatures. */
+/* x of heat_numbers.h, with a lower bound far below real temperatures. */
 static double warmth(const ovr_heat *heat, double T)
 {
     return fmax(1 + T / (heat->T0 - OVR_ROELANDS_T), 1e-3);

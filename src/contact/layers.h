@@ -34,7 +34,7 @@
 
 #include <stdbool.h>
 
-#include "overroll/heat.h"
+#include "contact/heat_numbers.h"
 
 enum { OVR_LAYERS_MAX = 6, OVR_IMAGES_MAX = 64 };
 

@@ -4,6 +4,7 @@
 #ifndef OVR_ELEMENTS_PICTURES_ELEMENT_H
 #define OVR_ELEMENTS_PICTURES_ELEMENT_H
 
+#include "elements/elements.h"
 #include "overroll/case.h"
 #include "pictures/picture.h"
 

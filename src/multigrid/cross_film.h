@@ -59,7 +59,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "overroll/heat.h"
+#include "contact/heat_numbers.h"
 
 enum { OVR_CROSS_FILM_MAX = 7 };
 

@@ -24,7 +24,7 @@
 #ifndef OVR_MULTIGRID_EXPANSION_H
 #define OVR_MULTIGRID_EXPANSION_H
 
-#include "overroll/heat.h"
+#include "contact/heat_numbers.h"
 #ifndef VEC
 #include "base/scalar.h"
 #endif

@@ -39,11 +39,21 @@
 #include <stdint.h>
 
 #include "base/arena.h"
-#include "overroll/results.h"
+#include "simulation/simulation.h"
 
 #define OVR_RESTART_MAGIC "overroll restart"
 #define OVR_RESTART_ORDER UINT64_C(0x0102030405060708)
 enum { OVR_RESTART_MAGIC_SIZE = 16, OVR_RESTART_FORMAT = 2 };
+
+/* One parameter of the case, stored as an attribute of the group `case`. */
+typedef struct ovr_case_value {
+    const char *name; /* "contact.M" */
+    const char *text; /* value as in a case file: "20", "22 1/GPa" */
+    double number; /* value in SI or without a unit; NAN: the text is stored */
+    const char *unit; /* SI unit of the number, or NULL */
+    bool physics;     /* the value affects the solution, so that resuming with
+                         another value is an error */
+} ovr_case_value;
 
 /*
  * The checkpoint of a run, with its case. It exists together with OUT.h5 from

@@ -7,6 +7,20 @@
 #include "overroll/results.h"
 #include "results/checkpoint.h"
 
+/* Default fields of a snapshot, as bits: pressure, film thickness and surface
+ * height. */
+enum { OVR_FIELDS_DEFAULT = 7 };
+
+typedef struct ovr_writer ovr_writer;
+
+/* The end of a run: the file's attribute `status`. */
+typedef enum ovr_run_status {
+    OVR_RUN_RUNNING,
+    OVR_RUN_COMPLETE,
+    OVR_RUN_STOPPED,
+    OVR_RUN_FAILED
+} ovr_run_status;
+
 /* A file used by the case, stored in the result if it has at most OVR_INPUT_MAX
  * bytes. */
 enum { OVR_INPUT_MAX = 4 << 20 };
@@ -69,6 +83,33 @@ typedef struct ovr_frame {
     void *shown;
     const ovr_statistics *total; /* extremes of the run; or NULL */
 } ovr_frame;
+
+/* A separate group such as "fatigue/surface_1" for data that are not given at
+ * the nodes of the film. Values are dimensionless; the file stores them in its
+ * units. An axis without values is the time of appended rows. */
+typedef struct ovr_group_axis {
+    const char *name, *long_name;
+    ovr_unit_kind kind;
+    size_t count;
+    const double *values;
+} ovr_group_axis;
+
+/* An array along some of the axes: flags, floats, doubles, or rows that are
+ * appended later. */
+typedef struct ovr_group_array {
+    const char *name, *long_name;
+    ovr_unit_kind kind;
+    int rank, along[OVR_MAX_RANK];
+    const unsigned char *flags;
+    const float *singles;
+    const double *doubles;
+} ovr_group_array;
+
+/* An attribute: a text, or (text NULL) a number. */
+typedef struct ovr_group_attribute {
+    const char *name, *text;
+    double number;
+} ovr_group_attribute;
 
 typedef struct ovr_group {
     const char *path;
@@ -167,6 +208,10 @@ ovr_status ovr_writer_group(ovr_writer *writer, const ovr_group *given,
 ovr_status ovr_writer_append(ovr_writer *writer, const ovr_group *given,
                              size_t k, double T, const float *values,
                              size_t count, ovr_error *err);
+
+/* Visits the state of an object, for checkpoints. */
+typedef ovr_status ovr_visited(void *object, ovr_visit *visit, void *context,
+                               ovr_error *err);
 
 /* Adds further state to checkpoints. */
 void ovr_writer_more(ovr_writer *writer, ovr_visited *more, void *object);

@@ -20,7 +20,7 @@
 #define OVR_SIMULATION_PHYSICS_H
 
 #include "base/parameter.h"
-#include "overroll/heat.h"
+#include "contact/heat_numbers.h"
 #include "simulation/internal.h"
 #include "simulation/solver.h"
 #include "surface/two_columns.h"

@@ -73,6 +73,10 @@ const char *ovr_simulation_strategy(const ovr_simulation *sim);
 /* Returns the field with this name, or NULL. */
 const ovr_observable *ovr_observable_field(const char *name);
 
+/* Called for each part of a state with its name, address and size in bytes. */
+typedef ovr_status ovr_visit(void *context, const char *name, void *memory,
+                             size_t bytes, ovr_error *err);
+
 /* Calls visit(context, name, address, size in bytes) for every piece of memory
  * that makes up the state between two steps: writing all of them and reading
  * them by name into a simulation with the same options continues the run bit

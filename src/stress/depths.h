@@ -8,7 +8,6 @@
 #ifndef OVR_STRESS_DEPTHS_H
 #define OVR_STRESS_DEPTHS_H
 
-#include "overroll/stress.h"
 #include "stress/stress.h"
 
 enum { OVR_STRESS_LEVELS = 6 };

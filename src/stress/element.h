@@ -17,7 +17,7 @@
 
 #include <complex.h>
 
-#include "overroll/stress.h"
+#include "stress/stress.h"
 
 /* C and C' of one density. */
 typedef struct ovr_potential {

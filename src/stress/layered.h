@@ -30,7 +30,6 @@
 #include <stddef.h>
 
 #include "contact/layers.h"
-#include "overroll/stress.h"
 #include "stress/stress.h"
 
 /* Relative distance from an interface at which its two sides are evaluated. */

@@ -5,8 +5,8 @@
 #define OVR_STRESS_YIELDING_H
 
 #include "overroll/memory.h"
-#include "overroll/stress.h"
 #include "stress/hardening.h"
+#include "stress/stress.h"
 
 /* Residual stresses due to plastic strains below a free surface, for single
  * waves. */

@@ -1,5 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Surfaces of a contact, for the other parts of the library. */
+
+/*
+ *     ovr_feature_form form = ovr_feature_form_default();
+ *     form.shape = OVR_DENT, form.depth = 0.1, form.width = 0.5;
+ *     form.start = -4.6;
+ *     ovr_surfaces *s = ovr_surfaces_create(&contact, NULL, D, NULL, &err);
+ *     ovr_surfaces_add(s, &form, &err);
+ *     ovr_simulation_surface(sim, ovr_surfaces_heights, s);
+ */
 #ifndef OVR_SURFACE_SURFACES_H
 #define OVR_SURFACE_SURFACES_H
 

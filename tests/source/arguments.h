@@ -161,10 +161,6 @@ static ovr_picture_options picture(void)
     return made;
 }
 
-static const ovr_case_value values[3] = {{.name = "contact.M", .text = "20"},
-                                         {.name = "contact.L", .text = "10"},
-                                         {.name = "time.end", .text = "1"}};
-
 static void line(void *data, const char *name, const char *text)
 {
     (void)data, (void)name, (void)text;
@@ -233,7 +229,6 @@ static const char *const words[] = {"dent", "bump", NULL};
 #define GOOD_ovr_case_line_to written
 #define GOOD_ovr_summary_taker_to taker
 #define GOOD_ovr_status_to_void_to_data_ovr_case_to_c_ovr_error_to_err change
-#define GOOD_ovr_case_value_to values
 #define GOOD_ovr_picture_options_to                                            \
     copied(&(ovr_picture_options[]){picture()}, sizeof(ovr_picture_options))
 

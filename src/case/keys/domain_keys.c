@@ -152,6 +152,5 @@ static const ovr_parameter paper_keys[] = {
 
 const ovr_section ovr_paper_section = {
     "paper", false, NULL,
-    "the algorithm of Venner, ten Napel & Bosma (1990), for their tables; "
-    "these keys are also accepted in [solver]",
+    "the algorithm of Venner, ten Napel & Bosma (1990), for their tables",
     ROWS(paper_keys)};

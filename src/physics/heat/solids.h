@@ -35,8 +35,8 @@
 #ifndef OVR_PHYSICS_HEAT_SOLIDS_H
 #define OVR_PHYSICS_HEAT_SOLIDS_H
 
+#include "contact/heat_numbers.h"
 #include "multigrid/modes.h"
-#include "overroll/heat.h"
 #include "simulation/physics.h"
 
 /* Modes are stored in banks of OVR_MODES: one bank for a half-space, two with
