@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Limits of thermal films: a supply between the flow rates of the cold and the
- * hot flooded contact, and a film so hot that its viscosity changes with every
- * pressure change. */
+/* Limits of thermal films.  A supply is between the flow rates of the cold and
+ * the hot flooded contact.  A film is so hot that its viscosity changes with
+ * every pressure change.  A pressure spike is narrower than a mesh size. */
 #include <math.h>
 #include <stdio.h>
 
@@ -102,4 +102,43 @@ TEST(hot_film_stays)
     assert_true(end.o.T_max_rise < 350);
     assert_int_equal(end.s.retries, 0);
     assert_int_equal(end.s.marked, 0);
+}
+
+/* -------------------------------------------------------- pressure spike */
+
+/* A rolling film with heat at its pressure spike, whose flank is narrower than
+ * a mesh size.  There the viscosity changes by a factor of thousands between
+ * two nodes.  With central differences of P in the heat source, errors of the
+ * energy balance were 8 %, 8 % and 1 % on levels 7 to 9.  The minimum film
+ * thickness differed by 1 %. */
+static ending rolling(int level)
+{
+    char text[900];
+    snprintf(text, sizeof text,
+             "[contact]\nmodulus = 226 GPa\nhertz_pressure = 1.95347 GPa\n"
+             "radius = 4.34081 mm\nmean_speed = 16.6873 m/s\n"
+             "slide_to_roll = 0\n"
+             "[lubricant]\nviscosity = 23.7802 mPa.s\nalpha = 21.7824 1/GPa\n"
+             "rheology = carreau\ncarreau_form = stress\n"
+             "carreau_n = 0.751816\ncarreau_stress = 5.82715 MPa\n"
+             "limiting_shear = 0.0995213\n"
+             "[domain]\nlevel = %d\norder = 2\n"
+             "[heat]\nmodel = lobatto\ntemperature = 110.213 degC\n",
+             level);
+    return run_to_end(text, true);
+}
+
+TEST(spike_is_heated_by_its_flow)
+{
+    double H_min = 0;
+    for (int level = 7; level <= 9; level++) {
+        ending end = rolling(level);
+        print_message("level %d: H_min %.6f, %.1f K, balance error %.1e\n",
+                      level, end.o.H_min, end.o.T_max_rise,
+                      end.o.energy_defect);
+        CHECK_NEAR(end.o.energy_defect, 0, 1e-2);
+        if (H_min > 0)
+            CHECK_CLOSE(end.o.H_min, H_min, 1e-3);
+        H_min = end.o.H_min;
+    }
 }

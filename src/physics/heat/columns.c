@@ -9,6 +9,7 @@
 #include "base/larger.h"
 #include "contact/contact.h"
 #include "multigrid/expansion.h"
+#include "physics/heat/flow_power.h"
 #include "physics/heat/heated.h"
 #include "physics/heat/in_time.h"
 #include "physics/heat/skew.h"
@@ -24,8 +25,9 @@ ovr_status ovr_heat_film_take(ovr_simulation *sim, ovr_error *err)
     ovr_columns *c = &h->film;
     for (int j = 0; j < h->cross_film.n; j++)
         OVR_TAKE_NODES(sim, err, &c->u[j], &c->heating[j], &h->departure[j]);
-    return OVR_TAKE_NODES(sim, err, &h->log_eta, &h->oil, &h->content,
-                          &h->apart, &c->fall);
+    OVR_TAKE_NODES(sim, err, &h->log_eta, &h->oil, &h->content, &h->apart,
+                   &c->fall);
+    return ovr_heat_flow_power_take(sim, err);
 }
 
 /* Flow from a pressurized node to the cavitated node downstream, divided by the
@@ -162,6 +164,7 @@ void ovr_heat_film(ovr_simulation *sim)
     begin(sim);
     fill_oil(sim);
     sim->grids.kernels->flow_cross_film(&sim->heated->film);
+    ovr_heat_flow_power(sim);
     if (ovr_heat_opposed(sim) && !ovr_conserves(sim))
         cover_end(sim);
     add_power(sim);

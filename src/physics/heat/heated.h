@@ -85,9 +85,10 @@ typedef struct ovr_heated {
     double Sigma0, limit;         /* as in cross_film.h; limit of (|t| +
                                    * |G_P|)/P */
     ovr_columns film;
-    double *log_eta;       /* ln eta at T0 */
-    double *apart;         /* fraction of the surface on which fluid shear acts
-                            */
+    double *log_eta; /* ln eta at T0 */
+    double *apart;   /* fraction of the surface on which fluid shear acts
+                      */
+    double *all_power, *node_power, *half_power, *factor; /* flow_power.h */
     double *oil, *content; /* H and q of the present lubricant (columns.h) */
     double *departure[OVR_CROSS_FILM_MAX]; /* T at the departure points of a
                                             * step */
