@@ -84,6 +84,8 @@ static void report_observed(const ovr_report_sink *to,
         ovr_report_number(
             to, row->label, row->digits, value, "%s",
             ovr_words_columns(value, row, X, NAN, contact, more.text).text);
+    else if (row->offset == offsetof(ovr_observation, residual))
+        ovr_report_line(to, row->label, "not finite (%s)", more.text);
 }
 
 /* False for the lambda ratio of features if the ratio of the roughness that is

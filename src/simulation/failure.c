@@ -137,6 +137,30 @@ static ending ending_of(const ovr_defect *d)
     return e;
 }
 
+/* Cycles are limited by the case. */
+static const char *limit_of(const ovr_simulation *sim, size_t size, char *text)
+{
+    text[0] = '\0';
+    if (sim->options.max_cycles)
+        snprintf(text, size, " with solver.max_cycles = %d",
+                 sim->options.max_cycles);
+    return text;
+}
+
+ovr_reached ovr_failure_reached(const ovr_simulation *sim,
+                                const ovr_outcome *outcome)
+{
+    const double R = outcome->defect.imbalance;
+    ovr_reached r;
+    char limit[50], imbalance[60] = "";
+    if (isfinite(R))
+        snprintf(imbalance, sizeof imbalance,
+                 ", relative mass-flow imbalance %.1e", R);
+    snprintf(r.text, sizeof r.text, "%s%s",
+             limit_of(sim, sizeof limit, limit), imbalance);
+    return r;
+}
+
 ovr_status ovr_failure_steady(const ovr_simulation *sim,
                               const ovr_outcome *outcome, double tolerance,
                               ovr_error *err)
@@ -153,11 +177,13 @@ ovr_status ovr_failure_steady(const ovr_simulation *sim,
             return OVR_NOT_CONVERGED;
     if (surfaces_overlap(sim, &outcome->defect))
         return touching(sim, 0, err);
+    char limit[50];
     return ovr_fail(err, OVR_NOT_CONVERGED,
                     "the steady solution did not converge with any of %d "
-                    "strategies: %s after %d cycles (target %.1e)%s%s",
+                    "strategies: %s after %d cycles (target %.1e)%s%s%s",
                     outcome->retries + 1, ending_of(&outcome->defect).words,
                     outcome->cycles, tolerance, outcome->spent ? spent : "",
+                    limit_of(sim, sizeof limit, limit),
                     sim->shapes.heights
                         ? "; features that start upstream of the inlet, or "
                           "grow in time, are easier to solve"

@@ -236,6 +236,14 @@ ovr_status ovr_failure_step(const ovr_simulation *sim,
                             const ovr_outcome *outcome, double T,
                             ovr_error *err);
 
+/* Part of such a message: ", relative mass-flow imbalance R" if R is finite,
+ * and the limit of cycles if the case sets one. */
+typedef struct ovr_reached {
+    char text[120];
+} ovr_reached;
+ovr_reached ovr_failure_reached(const ovr_simulation *sim,
+                                const ovr_outcome *outcome);
+
 /* Computes the history term F of the finest grid and the operator for a step dT
  * to T + dT (time_derivative.c). */
 void ovr_time_derivative(ovr_simulation *sim, double dT);

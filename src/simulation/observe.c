@@ -322,7 +322,10 @@ void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome)
         o->mass_balance = dT > 0 ? ovr_mass_balance(sim) : 0;
     }
     o->load_error = o->load / OVR_NOMINAL_LOAD - o->load_ratio;
-    o->residual = outcome->defect.imbalance;
+    /* NAN: diverged, or not computed */
+    o->residual = isfinite(outcome->defect.imbalance)
+                      ? outcome->defect.imbalance
+                      : NAN;
     o->order = outcome->uncorrected ? sim->scheme->order : sim->order;
     o->cycles = outcome->cycles;
     o->retries = outcome->retries;

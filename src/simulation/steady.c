@@ -48,7 +48,9 @@ static void note(ovr_simulation *sim, const ovr_level *level,
     *to = (ovr_refinement){.level = level->number,
                            .nodes = level->grid.n,
                            .cycles = status->cycles,
-                           .residual = status->defect.imbalance,
+                           .residual = isfinite(status->defect.imbalance)
+                                           ? status->defect.imbalance
+                                           : NAN,
                            .factor = status->factor,
                            .H_cen = status->defect.centre};
     ovr_level_read(&sim->grids, level, level->f.H, now);

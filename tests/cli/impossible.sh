@@ -28,10 +28,10 @@ kept() {
     tail -n 1 out | awk -F , -v end="$end" '{ exit !($1 >= end) }' ||
         fail "$1: the last snapshot is before T = $end: $(tail -n 1 out)"
     expect 0 "$OVERROLL" export "$1" --all
-    [ "$(wc -l <out)" -gt 200 ] || fail "$1: no snapshot"
+    [ "$(wc -l <out)" -gt 100 ] || fail "$1: no snapshot"
     cat out >>all
     # numbers of a start without a film are withheld (NaN)
-    [ "$1" = start.h5 ] || ! grep -qiE 'inf|nan' all ||
+    [ "$1" = start.h5 ] || [ "$1" = strip.h5 ] || ! grep -qiE 'inf|nan' all ||
         fail "$1: not all are numbers"
 }
 
@@ -164,3 +164,35 @@ expect 0 "$OVERROLL" check kept.ini
 contains err 'upstream of X = -4 and keeps the inlet .* some 3.7 % too low'
 expect 0 "$OVERROLL" check kept.ini --set domain.inlet=-4
 ! grep 'keeps the inlet' err || fail 'told of an inlet that was given'
+
+# A strip whose time steps end before its features are high: no number that is
+# not finite in the message, report, JSON or file
+cat >strip.ini <<'END'
+[contact]
+M = 5.4
+L = 10.7
+slide_to_roll = -20
+[domain]
+level = 4
+[time]
+end = 0.2
+[strip]
+width = 1.84
+[feature w]
+surface = 2
+shape = roughness
+Rq = 2.5
+length = 12
+shortest = 0.122
+start = 4.2
+peklenik = 9.7
+angle = -12 deg
+END
+grew='the steady solution of the strip did not converge: from smooth surfaces '
+grew=$grew'the features grew to [0-9]+ % of their height in '
+gives_up "${grew}[0-9]+ cycles; features" run strip.ini -o strip.h5
+kept strip.h5 "$grew"
+! grep -qiwE 'inf|nan' out err || fail "$(cat out err)"
+expect 1 "$OVERROLL" run strip.ini --set solver.max_cycles=9
+contains out 'not finite .NOT CONVERGED in'
+contains err 'cycles with solver.max_cycles = 9; features'

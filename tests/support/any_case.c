@@ -583,8 +583,21 @@ void test_any_case_survey(uint64_t seed, int runs)
     assert_true(100 * (misled - 1) <= 3 * told);
 }
 
+/* Writes the case as SEED.ini, with the keys that were added to it. */
+static void write_case(const draw *d, const char *folder, uint64_t seed)
+{
+    ovr_error err = {0};
+    ovr_case *c = make(d, &err);
+    char path[CAPACITY];
+    snprintf(path, sizeof path, "%s/%llu.ini", folder,
+             (unsigned long long)seed);
+    test_write_text(path, c ? ovr_case_text(c, &err) : d->base);
+    ovr_case_free(c);
+}
+
 void test_wide_case_survey(uint64_t seed, int runs)
 {
+    const char *folder = getenv("OVERROLL_CASES");
     int wrong = 0, solved = 0, compared = 0, dear = 0, cheap = 0;
     write_files();
     for (int k = 0; k < runs; k++) {
@@ -594,6 +607,10 @@ void test_wide_case_survey(uint64_t seed, int runs)
         wide_contact(&d);
         for (int tries = 0; tries < 12 && d.keys < MAX_KEYS / 2; tries++)
             add_key(&d);
+        if (folder) {
+            write_case(&d, folder, seed + (uint64_t)k);
+            continue;
+        }
         if (runs == 1)
             show(&d);
         bool fails = try(&d, &e);

@@ -430,18 +430,16 @@ static ovr_status explain(const ovr_simulation *sim, const void *own,
                           const ovr_outcome *outcome, ovr_error *err)
 {
     const ovr_heated *h = own;
-    (void)sim;
     if (!h->cycles)
         return OVR_OK;
     return ovr_fail(
         err, OVR_NOT_CONVERGED,
         "the steady solution converged without heat, but not with heat: "
         "after %d cycles and %d strategies temperatures still change by %.1e "
-        "of the maximum rise (target %.0e), relative mass-flow imbalance "
-        "%.1e; less sliding, a finer domain.level or a limiting shear stress "
-        "may help",
+        "of the maximum rise (target %.0e)%s; less sliding, a finer "
+        "domain.level or a limiting shear stress may help",
         outcome->cycles, outcome->retries + 1, h->change, OVR_HEAT_CHANGE,
-        outcome->defect.imbalance);
+        ovr_failure_reached(sim, outcome).text);
 }
 
 /* Returns true if corrections of fourth order are computed again.  If they were

@@ -344,15 +344,14 @@ ovr_status ovr_strip_explain(const ovr_simulation *sim, const void *own,
                              const ovr_outcome *outcome, ovr_error *err)
 {
     const ovr_strip_solver *s = own;
-    (void)sim;
     if (!(s->reached >= 0))
         return OVR_OK;
     return ovr_fail(
         err, OVR_NOT_CONVERGED,
         "the steady solution of the strip did not converge: from smooth "
-        "surfaces the features grew to %.0f %% of their height in %d cycles, "
-        "relative mass-flow imbalance %.1e; features that start upstream of "
-        "the inlet, grow in time (grow) or are lower, and a finer "
-        "domain.level, are easier to solve",
-        100 * s->reached, outcome->cycles, outcome->defect.imbalance);
+        "surfaces the features grew to %.0f %% of their height in %d cycles"
+        "%s; features that start upstream of the inlet, grow in time (grow) or "
+        "are lower, and a finer domain.level, are easier to solve",
+        100 * s->reached, outcome->cycles,
+        ovr_failure_reached(sim, outcome).text);
 }
