@@ -27,13 +27,14 @@ void ovr_run_surface(const ovr_run *run, ovr_simulation *sim)
 }
 
 /* Replaces the domain of the case by that of the checkpoint: a resumed run
- * keeps its grid even if a changed key would choose another. */
+ * keeps its grid even if a changed key would choose another.  Without a state
+ * in the checkpoint the case chooses the domain again. */
 static void set_recorded_domain(ovr_setup *setup, const ovr_restart_info *of)
 {
     ovr_options *o = setup->options;
-    setup->resolved->recorded = true;
     if (!of->has_state || of->level <= 0)
         return;
+    setup->resolved->recorded = true;
     o->inlet = of->inlet;
     o->outlet = of->outlet;
     o->level = of->level;

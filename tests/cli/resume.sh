@@ -120,4 +120,28 @@ for case in 'contact.M=12 --set contact.L=60' strip.width=1; do
     expect 0 "$OVERROLL" resume gap_part.h5 -q --set time.end=0.06
     same gap.h5 gap_part.h5
 done
+
+# A start that failed has no state: the domain, longer for a high feature, is
+# chosen again, and is that of the file
+cat >high.ini <<'END'
+[contact]
+M = 1.9
+L = 1.5
+[domain]
+level = 4
+[strip]
+width = 1.1
+[feature w]
+shape = wave
+amplitude = 1
+wavelength = 0.55
+wavelength_across = 0.55
+[solver]
+max_cycles = 1
+END
+expect 0 "$OVERROLL" check high.ini --json
+[ "$(number outlet)" != 1.5 ] || fail 'no feature moves the outlet'
+expect 1 "$OVERROLL" run high.ini -o high.h5 -q
+expect 1 "$OVERROLL" resume high.h5
+contains err 'the run starts again'
 exit 0

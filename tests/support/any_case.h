@@ -27,7 +27,8 @@ void test_any_case_survey(uint64_t seed, int runs);
  * times as high as the smooth film.  Up to six keys of any section are drawn
  * too.  Each case is solved or fails in a sentence.  In a survey of 200 or more
  * at most one in twenty of those that take time takes ten times as long as
- * `check` says.
+ * `check` says.  With OVERROLL_CASES the cases are written to files SEED.ini in
+ * this folder, and not solved (verify/wide_files.sh).
  */
 void test_wide_case_survey(uint64_t seed, int runs);
 
