@@ -342,6 +342,21 @@ static ovr_status make_symmetric(ovr_resolved *r, bool inlet, bool outlet,
     return OVR_OK;
 }
 
+/* Rejects a window of stored nodes that is outside the domain. */
+static ovr_status check_window(const ovr_resolved *r, ovr_error *err)
+{
+    const ovr_options *o = r->setup.options;
+    const ovr_output *out = r->setup.output;
+    bool downstream = out->from > o->outlet;
+    if (!downstream && !(out->to < o->inlet))
+        return OVR_OK;
+    return ovr_fail_slot(
+        err, ovr_slot_of(r, "output", downstream ? "from" : "to"),
+        "%g b is outside the domain X = %.4g to %.4g, so that nothing would be "
+        "stored",
+        downstream ? out->from : out->to, o->inlet, o->outlet);
+}
+
 ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,
                              ovr_error *err)
 {
@@ -365,6 +380,8 @@ ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,
         status = ovr_resolve_end(r, err);
     if (!status)
         status = ovr_resolve_on_mesh(r, err);
+    if (!status)
+        status = check_window(r, err);
     if (!status)
         setup->nodes = ovr_level_nodes(setup->options->level);
     return status;

@@ -105,9 +105,11 @@ static ovr_status choose_nodes(ovr_writer *w, const double *X, ovr_error *err)
     w->nodes = (last - w->first + o->stride - 1) / o->stride;
     if (w->nodes == 0)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: no node lies in the window "
-                        "from %g to %g",
-                        w->options.path, o->x_from, o->x_to);
+                        "%s: no node lies in the window X = %g to %g; the "
+                        "nodes of the domain X = %g to %g are %.4g apart",
+                        o->path, isnan(o->x_from) ? X[0] : o->x_from,
+                        isnan(o->x_to) ? X[w->n - 1] : o->x_to, X[0],
+                        X[w->n - 1], X[1] - X[0]);
     return OVR_OK;
 }
 

@@ -156,8 +156,8 @@ ovr_reached ovr_failure_reached(const ovr_simulation *sim,
     if (isfinite(R))
         snprintf(imbalance, sizeof imbalance,
                  ", relative mass-flow imbalance %.1e", R);
-    snprintf(r.text, sizeof r.text, "%s%s",
-             limit_of(sim, sizeof limit, limit), imbalance);
+    snprintf(r.text, sizeof r.text, "%s%s", limit_of(sim, sizeof limit, limit),
+             imbalance);
     return r;
 }
 
