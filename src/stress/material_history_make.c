@@ -150,13 +150,17 @@ static ovr_status allocate_arrays(ovr_material_history *p, ovr_error *err)
 static ovr_status check(const ovr_stress_options *o,
                         const ovr_material_range *range, ovr_error *err)
 {
-    if (!(range->to > range->from) ||
-        (range->to - range->from) / o->mesh > 1 << 26)
+    if (!(range->to > range->from))
         return ovr_fail(
             err, OVR_BAD_INPUT,
             "material from %g to %g: the lower limit must be below the upper "
             "limit",
             range->from, range->to);
+    if ((range->to - range->from) / o->mesh > OVR_MATERIAL_POINTS_MAX)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "material from %g to %g has more than %.2g points",
+                        range->from, range->to,
+                        (double)OVR_MATERIAL_POINTS_MAX);
     if (!(range->reach > 0) || range->reach > o->to || range->reach > -o->from)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "paths within |X| <= %g need fields from %g to %g",

@@ -149,6 +149,9 @@ typedef struct ovr_stress_options {
     const struct ovr_layered *layers; /* layers on the body, in b; NULL: none */
 } ovr_stress_options;
 
+/* Maximum number of mesh sizes of material with a stress history. */
+enum { OVR_MATERIAL_POINTS_MAX = 1 << 26 };
+
 typedef struct ovr_material_range {
     double reference;  /* X of xi = 0 at U = 0 */
     double from, to;   /* xi in b, fixed in the material */

@@ -121,3 +121,18 @@ iconv -f UTF-8 -t LATIN1 utf8.csv | sed 's/1\.2/1,2/' >latin1.csv
 expect 0 "$OVERROLL" profile latin1.csv
 grep -q "header: \"H$(printf '\303\266')he \[um\]\"" out || fail "$(cat out)"
 contains out 'commas are decimal points'
+
+# A window of stored nodes, or of material, that the grid cannot have (check
+# printed inf or nan MB)
+printf '[output]\nfrom = 1.6\n' | cat plain.ini - >from.ini
+both_refuse '^from.ini:8: from: 1.6 b is outside the domain X = -4 to 1.5' \
+    from.ini
+printf '[output]\nto = -5\n' | cat plain.ini - >to.ini
+both_refuse '^to.ini:8: to: -5 b is outside the domain' to.ini
+echo 'window = -1e6, 1e6' | cat plain.ini - >material.ini
+sed -i 's/^level.*/level = 7/' material.ini
+both_refuse '^material.ini:7: a window of -1e.06 to 1e.06 b has .* points' \
+    material.ini
+refuses 'no node lies in the window X = 1.001 to 1.002; the nodes .* apart$' \
+    run plain.ini -o never.h5 --set output.from=1.001 \
+    --set output.to=1.002

@@ -207,6 +207,21 @@ static void find_material(const ovr_setup *setup, ovr_stress_plan *plan)
     }
 }
 
+/* Rejects more points than the stress history of the material can have. */
+static ovr_status check_material(const ovr_stress_plan *plan, ovr_error *err)
+{
+    const ovr_material_range *m = &plan->range;
+    double points = (m->to - m->from) / plan->options.mesh;
+    if (points <= OVR_MATERIAL_POINTS_MAX)
+        return OVR_OK;
+    return ovr_fail_about(err, "window",
+                          "a window of %g to %g b has %.2g points on this "
+                          "grid, which is more than %.2g; set stress.window "
+                          "= FROM, TO",
+                          m->from, m->to, points,
+                          (double)OVR_MATERIAL_POINTS_MAX);
+}
+
 /* Rounds to three digits, downwards. */
 static double round_down(double value)
 {
@@ -352,7 +367,8 @@ static ovr_status make_plan(const ovr_setup *setup, int surface,
                                       : 0;
     plan->direction = stress_direction(setup, plan);
     find_material(setup, plan);
-    return find_depths(setup, plan, err);
+    ovr_status status = check_material(plan, err);
+    return status ? status : find_depths(setup, plan, err);
 }
 
 ovr_stress_sight ovr_stress_sight_of(const ovr_setup *setup)
