@@ -233,3 +233,35 @@ paste H.beta H.barus T.beta T.barus | awk '{
     exit !($1 > 0 && ($1 / $2 - 1) ^ 2 < 1e-6 &&
            $3 > 0.1 && ($3 / $4 - 1) ^ 2 < 1e-4) }' ||
     fail "isoviscous and Barus: $(cat H.beta H.barus T.beta T.barus)"
+
+# A grid too coarse for the pressure spike of a rolling contact, whose heat it
+# overestimates, and one that resolves it
+cat >spike.ini <<'END'
+[contact]
+modulus = 226 GPa
+hertz_pressure = 1.91206 GPa
+radius = 6.47949 mm
+mean_speed = 6.26876 m/s
+slide_to_roll = 0
+[lubricant]
+viscosity = 8.45026 mPa.s
+alpha = 21.9051 1/GPa
+rheology = eyring
+eyring_stress = 6.8229 MPa
+limiting_shear = 0.050052
+[domain]
+level = 4
+[heat]
+model = lobatto
+temperature = 73.2063 degC
+END
+marked='temperatures are not resolved.*error of [0-9]* %.*domain.level = 5'
+expect 0 "$OVERROLL" steady spike.ini
+contains err "$marked"
+contains out '^maximum film temperature .*(not resolved)'
+expect 0 "$OVERROLL" steady spike.ini --json
+contains out '"T_max_resolved": false'
+contains out '"energy_defect": -0.[12]'
+expect 0 "$OVERROLL" steady spike.ini --json --level 5
+contains out '"T_max_resolved": true'
+! grep -q 'not resolved' err || fail 'a resolved film is marked'

@@ -4,12 +4,13 @@
 #include <math.h>
 
 #include "overroll/case.h"
+#include "physics/heat/heat.h"
 #include "random_case.h"
 #include "simulation/simulation.h"
 #include "test.h"
 
 typedef struct tally {
-    int runs, startless, failed, marked, moved;
+    int runs, startless, failed, marked, moved, unresolved;
     long steps, cycles, retries;
     double most; /* that a run moved by */
 } tally;
@@ -64,6 +65,7 @@ static void try(tally *t, uint64_t seed)
     ovr_simulation *sim = ovr_setup_simulation(setup, NULL, &err);
     assert_non_null(sim);
     ovr_status start = ovr_simulation_steady(sim, &err);
+    bool resolved = ovr_heat_is_resolved(ovr_simulation_observation(sim));
     ovr_status status = start ? start : march(sim, setup->march, &moved, &err);
     const ovr_statistics *s = ovr_simulation_statistics(sim);
     t->runs++;
@@ -76,10 +78,12 @@ static void try(tally *t, uint64_t seed)
         t->cycles += s->cycles;
         t->retries += s->retries;
         t->marked += s->marked > 0;
+        t->unresolved += !resolved;
     }
-    if (status || moved > much || s->marked)
-        print_message("    seed %llu: moved %.1e, %ld marked%s%s\n%s",
+    if (status || moved > much || s->marked || !resolved)
+        print_message("    seed %llu: moved %.1e, %ld marked%s%s%s\n%s",
                       (unsigned long long)seed, moved, s->marked,
+                      resolved ? "" : ", temperatures not resolved",
                       status ? ": " : "", status ? err.message : "",
                       drawn.text);
     ovr_simulation_free(sim);
@@ -93,13 +97,15 @@ void test_stays_survey(uint64_t seed, int runs)
     for (int k = 0; k < runs; k++)
         try(&t, seed + (uint64_t)k);
     print_message("    seeds %llu on: %d runs, %d without a start, %d failed, "
-                  "%d with marked steps, %d moved, %.1e the most; %ld steps, "
-                  "%.2f cycles each, %ld retries\n",
+                  "%d with marked steps, %d with unresolved temperatures, %d "
+                  "moved, %.1e the most; %ld steps, %.2f cycles each, %ld "
+                  "retries\n",
                   (unsigned long long)seed, t.runs, t.startless, t.failed,
-                  t.marked, t.moved, t.most, t.steps,
+                  t.marked, t.unresolved, t.moved, t.most, t.steps,
                   (double)t.cycles / (double)t.steps, t.retries);
     assert_int_equal(t.failed, 0);
     assert_int_equal(t.moved, 0);
     assert_true(50 * t.marked <= t.runs);
+    assert_true(50 * t.unresolved <= t.runs);
     assert_true(50 * t.startless <= t.runs);
 }

@@ -20,7 +20,8 @@
  * films by some per cent on these levels: a wave that has left the contact at T
  * = 2.  From T = 2.5 to 3 H_min and H_cen may change by 3e-3, P_max and the
  * largest rise by 2e-2.  No step may fail, one run in 50 may have marked steps,
- * and one in 50 at most has no start.
+ * one in 50 temperatures that the grid does not resolve (an energy balance
+ * error above 5 %), and one in 50 at most has no start.
  */
 void test_stays_survey(uint64_t seed, int runs);
 

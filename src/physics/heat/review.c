@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Warnings about the heat model. Before a run: surfaces that do not reach a
- * steady temperature. After a run: temperatures outside the measured range of
- * viscosity laws, and domains whose ends are heated. */
+ * steady temperature. After a run: temperatures that the grid does not resolve,
+ * or outside the measured range of viscosity laws. Domains with heated ends. */
 #include <math.h>
 #include <stdio.h>
 
@@ -110,6 +110,26 @@ static void warn_of_lag(const ovr_accompanied_run *run)
              s->lagging, s->steps);
 }
 
+bool ovr_heat_is_resolved(const ovr_observation *o)
+{
+    const double maximum = 0.05, negligible = 1 /* K */;
+    return !(fabs(o->energy_defect) > maximum && o->T_max_rise > negligible);
+}
+
+/* Warns of the energy balance at the end of the run. */
+static void warn_of_balance(const ovr_accompanied_run *run)
+{
+    const ovr_observation *o = ovr_simulation_observation(run->sim);
+    if (ovr_heat_is_resolved(o))
+        return;
+    ovr_warn(
+        run->say, run->listener,
+        "heat: temperatures are not resolved, because the energy balance "
+        "of the film at T = %.4g has an error of %.0f %%; use a finer grid "
+        "(domain.level = %d)",
+        o->T, 100 * fabs(o->energy_defect), run->setup->options->level + 1);
+}
+
 /* Warns by x of heated.h if there are too few points across the film; prints
  * the friction error in per cent. */
 static void warn_of_points(const ovr_accompanied_run *run)
@@ -168,6 +188,7 @@ static void review(const ovr_accompanied_run *run)
     if (!ovr_simulation_state(run->sim)->n)
         return;
     warn_of_lag(run);
+    warn_of_balance(run);
     warn_of_points(run);
     warn_of_rise(run);
     warn_of_domain(run);
