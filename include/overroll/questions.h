@@ -164,7 +164,7 @@ typedef struct ovr_sensitivity_row {
                          is relative */
     double step;      /* the larger difference step, relative or in that unit */
     double slope;     /* derivative by the smaller step */
-    double doubt;     /* derivative by the larger step */
+    double doubt;     /* difference of the derivatives by both steps */
     double coarser;   /* derivative one level coarser; NAN: not requested */
     const char *why_none; /* reason why the row is not reliable, or NULL */
 } ovr_sensitivity_row;

@@ -109,7 +109,7 @@ static void report_state(ovr_run *run, bool done)
     else
         note(run, "has no checkpoint; the run starts again");
     if (run->restored && run->info.transient)
-        run->info.fraction = state->T / run->setup->march->end;
+        run->info.fraction = fmin(state->T / run->setup->march->end, 1);
 }
 
 static ovr_status restore_state(ovr_run *run, double complete, ovr_error *err)

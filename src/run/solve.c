@@ -87,7 +87,9 @@ static ovr_status report_progress(void *data, const ovr_simulation *sim,
     ovr_run *run = data;
     const ovr_run_options *how = &run->how;
     double T = ovr_simulation_state(sim)->T;
-    run->info.fraction = run->info.transient ? T / run->setup->march->end : 1;
+    run->info.fraction = run->info.transient
+                             ? fmin(T / run->setup->march->end, 1)
+                             : 1;
     if (run->passes)
         run->info.fraction = (run->passes->now - 1 + run->info.fraction) /
                              run->passes->rows;

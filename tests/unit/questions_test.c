@@ -183,7 +183,7 @@ TEST(elasticities)
         assert_string_equal(M->key, "contact.M");
         CHECK_CLOSE(M->slope, -1.5, 1e-9);
         CHECK_CLOSE(L->slope, 0.5, 1e-9);
-        assert_true(M->doubt < 1e-9 && !M->why_none);
+        assert_true(M->doubt >= 0 && M->doubt < 1e-9 && !M->why_none);
         assert_null(ovr_sensitivity_at(found, 2));
         ovr_sensitivity_free(found);
     }
