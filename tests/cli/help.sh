@@ -116,3 +116,22 @@ for level in 5 6 7; do
     awk '{ ratio = 2/$1/$2; found = ratio > 0.6 && ratio < 1.605 }
         END { exit !found }' grid || fail "mesh of a strip: $(cat grid out)"
 done
+
+# A dent from X = -2 at u_m is at -1, 0 and 1.5 at T = 1, 2 and 3.5.
+dent_case 4 4 0.05 0.8 -2 >moving.ini
+expect 0 "$OVERROLL" run moving.ini -q -o moving.h5 \
+    --set output.feature_at='-1, 0, 1.5'
+expect 0 "$OVERROLL" export moving.h5 --at 0
+[ "$(sed 1d out | cut -d, -f1 | tr '\n' ' ')" = '1 2 3.5 ' ] ||
+    fail "snapshots: $(cat out)"
+
+# A steady contact is solved with fully grown features and without [time].
+dent_case 5 4 0.05 0.8 0 >steady.ini
+for setting in feature.dent.grow=2 time.end=9; do
+    expect 0 "$OVERROLL" steady steady.ini --json -q
+    mv out plain
+    expect 0 "$OVERROLL" steady steady.ini --json -q --set $setting
+    film=$(number H_cen)
+    [ -n "$film" ] && [ "$film" = "$(number H_cen plain)" ] ||
+        fail "$setting: $(cat out)"
+done

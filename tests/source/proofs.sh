@@ -3,7 +3,8 @@
 # Every test named in tools/validation/proofs.md exists: `FOLDER/FILE` below
 # tests, without the ending `.c` if it is omitted, and in `FOLDER/FILE:NAME` one
 # of its TESTs or Python functions. `make GOAL` is a goal of the Makefile. Each
-# manual page has a table, and the lists of the Makefile name tests.
+# manual page has a table, each public header a row, and the lists of the
+# Makefile name tests.
 . "$TOP/tests/support/cli.sh"
 
 list=$TOP/tools/validation/proofs.md
@@ -41,6 +42,14 @@ for page in "$TOP"/src/*/overroll*.[0-9]; do
     grep -q "^###.* *${name%.*}(${name##*.})" "$list" ||
         fail "proofs.md has no table of ${name%.*}(${name##*.})"
 done
+# Each public header has a row, unless it only includes the others.
+for header in "$TOP"/include/overroll/*.h; do
+    name=$(basename "$header")
+    [ "$name" = overroll.h ] ||
+        grep -qE "^\|( [a-z]*\.h,)* ${name}[, ]" "$list" ||
+        fail "proofs.md has no promise of $name"
+done
+grep -q '^### overroll help$' "$list" || fail 'proofs.md has no table of help'
 missing "$list" >gone
 [ ! -s gone ] || fail "proofs.md names what is not there: $(cat gone)"
 

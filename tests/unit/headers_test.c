@@ -1,8 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Statements of the public headers that no other test contains: copied
- * allocators, preparation without memory for a grid, weights of the state,
- * times of steps, starts from rest, texts, units, contact positions, complete
- * runs. */
+/* Statements of the public headers that no other test contains. */
 #include "support/test.h"
 
 #include <locale.h>
@@ -85,8 +82,8 @@ TEST_IN_FOLDER(allocators_are_copied)
     assert_int_equal(f.live, 0);
 }
 
-/* Bytes allocated to resolve and prepare the case on a level; *simulation:
- * those of the simulation. */
+/* Returns the bytes allocated to resolve and prepare the case on a level, and
+ * those of its simulation. */
 static double bytes_on(const char *level, double *simulation)
 {
     test_faults f;
