@@ -66,7 +66,7 @@ static void copy_pressure(const ovr_strip_level *level, const double *from,
 
 /* Continuation from the Newtonian film to that of the rheological model: in one
  * step, or in several of tau0.  A step that fails is halved in ln tau0. */
-static bool thin_out(ovr_strip *strip)
+static void thin_out(ovr_strip *strip)
 {
     const double least = 1.05, tau0 = strip->fluid.lubricant.Sigma0;
     const ovr_strip_level *level = &strip->level[0];
@@ -85,17 +85,23 @@ static bool thin_out(ovr_strip *strip)
         strip->H0 = H0;
     }
     strip->fluid.lubricant.Sigma0 = tau0;
-    return from <= 1;
 }
 
-static bool solve_coarsest(ovr_strip *strip)
+/* Where the film ends between its few nodes, the coarsest grid may have no
+ * solution. Then the next grid starts from the first guess, or from the film of
+ * less shear thinning. */
+static void solve_coarsest(ovr_strip *strip, const ovr_strip_full *how)
 {
     const ovr_rheology law = strip->fluid.lubricant.rheology;
     strip->fluid.lubricant.rheology = OVR_NEWTONIAN;
     ovr_strip_refresh(strip, &strip->level[0]);
     bool found = iterate(strip);
     strip->fluid.lubricant.rheology = law;
-    return found && (law == OVR_NEWTONIAN || thin_out(strip));
+    if (!found)
+        hertzian_start(strip, how);
+    else if (law != OVR_NEWTONIAN)
+        thin_out(strip);
+    ovr_strip_refresh(strip, &strip->level[0]);
 }
 
 /* Interpolates midway between b and c. */
@@ -205,8 +211,7 @@ ovr_strip_defect ovr_strip_solve(ovr_strip *strip, const ovr_strip_full *how,
     ovr_strip_wedge(strip, how->speed, 0);
     hertzian_start(strip, how);
     begin_level(strip, how, &strip->level[0]);
-    if (!solve_coarsest(strip))
-        return d;
+    solve_coarsest(strip, how);
     d = ovr_strip_defect_of(strip, &strip->level[0]);
     for (int l = 1; l <= strip->finest; l++) {
         if (ovr_strip_stops(strip))

@@ -240,3 +240,24 @@ for slide in 0 0.1 2; do
     [ ! -s err ] || fail "slide $slide: $(cat err)"
     contains out 'converged in [12][0-9] cycles'
 done
+
+# Domains on which the coarsest grid has no solution: the film of the line
+cat >line.ini <<'END'
+[contact]
+M = 2.03
+L = 0.0129
+[domain]
+level = 4
+inlet = -4
+END
+for M in 2.03 2.5; do
+    for outlet in 2.8 3 3.2; do
+        set -- --M $M --set domain.outlet=$outlet --json
+        expect 0 "$OVERROLL" run line.ini "$@"
+        number H_cen >of_line
+        expect 0 "$OVERROLL" run line.ini "$@" --set strip.width=2.1
+        number H_cen | paste - of_line | awk '{ exit !($1 > 0 &&
+            ($1 - $2)^2 < (1e-3 * $2)^2) }' ||
+            fail "M $M, outlet $outlet: $(number H_cen), $(cat of_line)"
+    done
+done

@@ -346,6 +346,15 @@ ovr_status ovr_strip_explain(const ovr_simulation *sim, const void *own,
     const ovr_strip_solver *s = own;
     if (!(s->reached >= 0))
         return OVR_OK;
+    if (s->reached >= 1)
+        return ovr_fail(err, OVR_NOT_CONVERGED,
+                        "the steady solution of the strip did not converge: "
+                        "from smooth surfaces the features grew to their "
+                        "height, but the film did not become steady in %d "
+                        "cycles%s; lower features or a finer domain.level are "
+                        "easier to solve",
+                        outcome->cycles,
+                        ovr_failure_reached(sim, outcome).text);
     return ovr_fail(
         err, OVR_NOT_CONVERGED,
         "the steady solution of the strip did not converge: from smooth "
