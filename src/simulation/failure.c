@@ -127,7 +127,10 @@ typedef struct ending {
 static ending ending_of(const ovr_defect *d)
 {
     ending e;
-    if (isfinite(d->imbalance) && isfinite(d->load))
+    if (isfinite(d->imbalance) && d->load == 0) /* not measured */
+        snprintf(e.words, sizeof e.words, "relative mass-flow imbalance %.1e",
+                 d->imbalance);
+    else if (isfinite(d->imbalance) && isfinite(d->load))
         snprintf(e.words, sizeof e.words,
                  "relative mass-flow imbalance %.1e, load error %.1e",
                  d->imbalance, d->load);
@@ -195,9 +198,18 @@ ovr_status ovr_failure_steady(const ovr_simulation *sim,
 static void instead(const ovr_simulation *sim, size_t size, char *text)
 {
     double H = ovr_film_central_moes(sim->contact.M, sim->contact.L);
+    const bool features = sim->shapes.heights != NULL;
+    const bool thins = sim->target.fluid.lubricant.rheology != OVR_NEWTONIAN;
     text[0] = '\0';
     OVR_EACH_PHYSICS(sim, p, in_step, advise)
         p->is->in_step->advise(sim, H, size, text);
+    if (!*text)
+        snprintf(text, size, "; %s%sa finer domain.level%s may help",
+                 features ? "lower features" : "",
+                 !features ? ""
+                 : thins   ? " or "
+                           : ", ",
+                 thins ? "" : " or shear thinning (lubricant.rheology)");
 }
 
 ovr_status ovr_failure_step(const ovr_simulation *sim,
