@@ -430,11 +430,15 @@ demo: $(PROGRAM) ## roll a dent through a contact: result file and picture
 pictures: demo ## the pictures of README.md, into tools/pictures
 	@OVERROLL='$(PROGRAM)' tools/examples/gear
 	@$(PROGRAM) plot build/examples/gear.h5 --kind stress --at '0.36 ms' \
-	  --h-max 0.6um -o tools/pictures/gear.png --force -q \
+	  --h-max 0.6um --size 1280x1080 -o tools/pictures/gear.png --force -q \
 	  --title 'A ground gear tooth: pressure, starved film, temperatures, stress'
 	@$(PROGRAM) frames $(BUILD)/demo/dent.h5 --movie tools/pictures/dent.gif \
 	  --every 2 --time 3:6.4 --p-max 1.4 --rate 20 --size 800x450 --force \
 	  --title 'A dent passes through the contact of two steel rollers'
+	@OVERROLL='$(PROGRAM)' tools/examples/round-dent
+	@$(PROGRAM) plot build/examples/round-dent-round.h5 --size 1000x780 \
+	  -o tools/pictures/strip.png --force -q \
+	  --title 'A round dent with a raised rim'
 
 PAPER_LEVEL ?= 17
 paper: tests ## the paper's tables, computed and compared
