@@ -114,7 +114,8 @@ static void report_extreme(const ovr_report_sink *to, const ovr_extreme *e,
         at.part = OVR_KEPT_TIME;
         T = ovr_extreme_value(&at, total);
         at.part = OVR_KEPT_PLACE;
-        X = ovr_extreme_value(&at, total);
+        if (row->place) /* checkpoints contain no other positions */
+            X = ovr_extreme_value(&at, total);
     }
     ovr_words remark = {""};
     ovr_words_add(&remark, "%s",

@@ -39,6 +39,12 @@ expect 0 "$OVERROLL" resume short.h5 --set time.end=3 -q --json
 contains out '"converged": true'
 same whole.h5 short.h5
 
+# The report of a complete run is the same again, but for times of the computer.
+expect 0 "$OVERROLL" run dent.ini -o report.h5 -v --set time.end=3
+grep -v '^computing time' out >report.txt
+expect 0 "$OVERROLL" resume report.h5 -v
+grep -v '^computing time' out | diff report.txt - || fail 'another report'
+
 # Nothing left to do: the file is not touched, with or without a checkpoint
 cp -p short.h5 before.h5
 expect 0 "$OVERROLL" resume short.h5 --json
