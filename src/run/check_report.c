@@ -14,6 +14,7 @@
 #include "contact/starvation.h"
 #include "overroll/profile.h"
 #include "overroll/questions.h"
+#include "physics/heat/heat.h"
 #include "run/cost.h"
 #include "run/run.h"
 #include "run/summary_lines.h"
@@ -362,9 +363,11 @@ static void report_grid(const ovr_report_sink *to, const ovr_setup *setup,
             "at the pressure spike, until its height changes by less than "
             "%g",
             o->refine_change);
-    ovr_report_line(to, "expected discretization error", "%.1g at most (%s%s)",
-                    ovr_expected_at_most(setup), of[setup->accuracy_of],
-                    friction);
+    ovr_report_line(
+        to, "expected discretization error", "%.1g at most (%s%s%s)",
+        ovr_expected_at_most(setup), of[setup->accuracy_of], friction,
+        ovr_setup_heat(setup) ? "; 0.01 of the maximum film temperature rise"
+                              : "");
     if (setup->expected <= setup->accuracy)
         ovr_report_line(to, "level",
                         "%d, the first with a likely error below %g%s",

@@ -30,6 +30,7 @@ END
 expect 0 "$OVERROLL" check hot.ini
 contains out '^#   thermal parameters +Theta = .*; 5 or 7 points across'
 contains out '^#   Peclet numbers of the surfaces +[0-9]'
+contains out 'expected discretization error .*0.01 of the .* temperature rise'
 expect 0 "$OVERROLL" run hot.ini --json
 for key in T_max_rise T_1_max_rise T_2_max_rise; do
     awk -v x="$(number $key)" 'BEGIN { exit !(x > 1 && x < 100) }' ||
