@@ -506,15 +506,31 @@ static void rotate(double *column, int k, double *cosine, double *sine,
     g[k] *= cosine[k];
 }
 
+/* Number of products after which little progress means failure. */
+enum { TRIAL = 30 };
+
+/* Largest residual, relative to the first one, with which GMRES may go on after
+ * the trial, and with which it may end at the maximum number of products. A
+ * step of a larger residual misleads Newton's method. The local band finds a
+ * better one in 20 to 30 products; if it fails, no better step is known. */
+typedef struct usable {
+    double trial, end;
+} usable;
+
+static usable usable_with(bool elastic)
+{
+    return elastic ? (usable){0.1, 1e-3} : (usable){INFINITY, 0.5};
+}
+
 /* Extends the basis until the residual is 1e-4 of the right-hand side (2 to 5
  * products; with 1e-2 some Newton steps diverge). Returns the number of
  * vectors, or 0 if they are unusable. If rounding or the maximum number of
  * products ends the iteration earlier, the next Newton step reduces the
  * remaining residual. */
 static int grow(const ovr_hierarchy *grids, const ovr_level *level,
-                ovr_tripoles *t, double *step, double *g)
+                ovr_tripoles *t, usable most, double *step, double *g)
 {
-    const double enough = 1e-4, some = 0.5;
+    const double enough = 1e-4;
     const ovr_kernels *run = grids->kernels;
     double cosine[OVR_TRIPOLE_PRODUCTS], sine[OVR_TRIPOLE_PRODUCTS];
     size_t n = level->grid.n, m = size_of(n);
@@ -535,10 +551,13 @@ static int grow(const ovr_hierarchy *grids, const ovr_level *level,
         rotate(column, k, cosine, sine, g);
         if (fabs(g[k + 1]) <= enough * first)
             return k + 1;
+        if (k + 1 == TRIAL && fabs(g[k + 1]) > most.trial * first)
+            return 0;
         scale(next, 1 / length, m);
     }
-    return fabs(g[OVR_TRIPOLE_PRODUCTS]) <= some * first ? OVR_TRIPOLE_PRODUCTS
-                                                         : 0;
+    return fabs(g[OVR_TRIPOLE_PRODUCTS]) <= most.end * first
+               ? OVR_TRIPOLE_PRODUCTS
+               : 0;
 }
 
 /* Computes the linear combination of basis vectors by solving the triangular
@@ -581,7 +600,7 @@ static bool solve_by(const ovr_hierarchy *grids, const ovr_level *level,
         return true;
     }
     scale(v, 1 / g[0], m);
-    count = grow(grids, level, t, step, g);
+    count = grow(grids, level, t, usable_with(kernel), step, g);
     if (!count)
         return false;
     combine(grids->kernels, t, m, count, g);
