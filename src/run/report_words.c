@@ -221,9 +221,15 @@ static void report_supply(const ovr_report_sink *to, const ovr_run_info *s)
 static void report_heat(const ovr_report_sink *to, const ovr_run_info *s)
 {
     const double zero = 273.15; /* degC in K */
+    const double no_heat = 0.5; /* error of the energy balance */
     const ovr_observation *o = ovr_simulation_observation(s->sim);
-    if (!ovr_setup_heat(s->setup))
+    if (!ovr_setup_heat(s->setup) || isnan(o->T_film_max))
         return;
+    if (!o->converged && fabs(o->energy_defect) > no_heat) {
+        ovr_report_line(to, "maximum film temperature",
+                        "unknown (the film is not that of its heat)");
+        return;
+    }
     if (ovr_heat_is_resolved(o))
         ovr_report_number(to, "maximum film temperature", 4,
                           o->T_film_max - zero, "%-11s %.4g", "degC",

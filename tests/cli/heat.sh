@@ -266,3 +266,37 @@ contains out '"energy_defect": -0.[12]'
 expect 0 "$OVERROLL" steady spike.ini --json --level 5
 contains out '"T_max_resolved": true'
 ! grep -q 'not resolved' err || fail 'a resolved film is marked'
+
+# A start that is found without heat only: what may help, and no invented film
+cat >rough.ini <<'END'
+[contact]
+hertz_pressure = 1.23543 GPa
+radius = 6.84 mm
+modulus = 226 GPa
+mean_speed = 54.6988366 m/s
+slide_to_roll = 0.876422
+[lubricant]
+viscosity = 11 mPa.s
+alpha = 16 1/GPa
+rheology = eyring
+eyring_stress = 7.97008 MPa
+[heat]
+model = lobatto
+temperature = 60 degC
+[domain]
+outlet = 2.5
+level = 4
+[feature f1]
+surface = 1
+shape = roughness
+Rq = 0.386931274 um
+length = 12
+hurst = 0.8
+rolloff = 300 um
+shortest = 8.14839303 um
+seed = 66078
+start = 2.6
+END
+expect 1 "$OVERROLL" steady rough.ini
+contains out '^maximum film temperature +unknown'
+contains err 'converged without heat.*; lower features, less sliding'

@@ -430,16 +430,21 @@ static ovr_status explain(const ovr_simulation *sim, const void *own,
                           const ovr_outcome *outcome, ovr_error *err)
 {
     const ovr_heated *h = own;
+    const double meaningless = 1;
+    char film[60] = "the film diverges";
     if (!h->cycles)
         return OVR_OK;
+    if (outcome->defect.imbalance < meaningless)
+        snprintf(film, sizeof film, "relative mass-flow imbalance %.1e",
+                 outcome->defect.imbalance);
     return ovr_fail(
         err, OVR_NOT_CONVERGED,
         "the steady solution converged without heat, but not with heat: "
         "after %d cycles and %d strategies temperatures still change by %.1e "
-        "of the maximum rise (target %.0e)%s; less sliding, a finer "
+        "of the maximum rise (target %.0e), %s; %sless sliding, a finer "
         "domain.level or a limiting shear stress may help",
-        outcome->cycles, outcome->retries + 1, h->change, OVR_HEAT_CHANGE,
-        ovr_failure_reached(sim, outcome).text);
+        outcome->cycles, outcome->retries + 1, h->change, OVR_HEAT_CHANGE, film,
+        sim->shapes.heights ? "lower features, " : "");
 }
 
 /* Returns true if corrections of fourth order are computed again.  If they were

@@ -24,8 +24,8 @@ extern const ovr_section ovr_heat_section;
 ovr_status ovr_heat_resolve(const ovr_physics_case *of, void *form, bool *on,
                             ovr_error *err);
 
-/* False if the grid does not resolve the heat source: the energy balance error
- * exceeds 5 %, and the film is more than 1 K hotter than its supply. */
+/* False if the grid does not resolve the heat source of a converged film: the
+ * energy balance error exceeds 5 %, and the temperature rise exceeds 1 K. */
 bool ovr_heat_is_resolved(const ovr_observation *o);
 
 /* The heat parameters of a setup, which can still be changed; NULL: no heat. */

@@ -113,7 +113,8 @@ static void warn_of_lag(const ovr_accompanied_run *run)
 bool ovr_heat_is_resolved(const ovr_observation *o)
 {
     const double maximum = 0.05, negligible = 1 /* K */;
-    return !(fabs(o->energy_defect) > maximum && o->T_max_rise > negligible);
+    return !(o->converged && fabs(o->energy_defect) > maximum &&
+             o->T_max_rise > negligible);
 }
 
 /* Warns of the energy balance at the end of the run. */
