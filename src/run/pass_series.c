@@ -348,11 +348,11 @@ ovr_status ovr_passes_execute(ovr_run *run, ovr_error *err)
     ovr_error late = {0};
     if (status)
         p->row[p->now - 1].status = how;
+    run->info.converged = run->info.converged && p->converged;
     if (run->setup && write_rows(run, how, &late) && !status) {
         *err = late;
         status = late.status;
     }
-    run->info.converged = run->info.converged && p->converged;
     return status;
 }
 

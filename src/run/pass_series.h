@@ -159,6 +159,12 @@ ovr_status ovr_passes_write(const ovr_run *run, const char *status,
 bool ovr_passes_file_is(const char *path);
 bool ovr_passes_file_complete(const char *path); /* true if the file has all
                                                   * rows */
+
+/* Returns the numbers of the summary of all passes; NULL if the file has none.
+ * Owned by the arena. */
+const struct ovr_named_number *
+ovr_passes_numbers(const char *path, ovr_arena *arena, size_t *count);
+
 ovr_case *ovr_passes_case(const char *path, const ovr_allocator *allocator,
                           ovr_error *err);
 

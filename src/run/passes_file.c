@@ -230,6 +230,40 @@ static bool write_case(const table *t)
     return good;
 }
 
+/* Numbers of the summary of all passes. If the passes ended before the program
+ * was killed, they are those of the last pass. */
+static const ovr_group_attribute *summary_of(const ovr_run *run,
+                                             ovr_arena *arena, size_t *count)
+{
+    const ovr_passes *p = run->passes;
+    if (run->info.sim)
+        return ovr_run_numbers(run, true, arena, count, NULL);
+    ovr_result *last = ovr_result_open(p->file[p->rows - 1],
+                                       &run->arena.allocator, NULL);
+    const ovr_group_attribute *from =
+        last ? ovr_result_attributes(last, "summary", count) : NULL;
+    ovr_group_attribute *to = ovr_arena_take(arena, *count + 1, sizeof *to,
+                                             NULL);
+    for (size_t k = 0; to && k < *count; k++)
+        to[k] = (ovr_group_attribute){ovr_arena_text(arena, from[k].name, NULL),
+                                      NULL, from[k].number};
+    ovr_result_close(last);
+    return to;
+}
+
+static bool write_summary(const table *t, ovr_arena *arena)
+{
+    size_t count = 0;
+    const ovr_group_attribute *line = summary_of(t->run, arena, &count);
+    hid_t group = ovr_header_group(t->rows.file, "summary",
+                                   count * (size_t)OVR_ATTRIBUTE);
+    bool good = group >= 0 && line && !ovr_arena_status(arena);
+    for (size_t k = 0; good && k < count; k++)
+        good = ovr_h5_set_number(group, line[k].name, line[k].number);
+    ovr_h5_drop(group);
+    return good;
+}
+
 static bool write_part(table *t, const char *part, const char *status,
                        ovr_arena *arena)
 {
@@ -238,7 +272,8 @@ static bool write_part(table *t, const char *part, const char *status,
                                (size_t)t->run->passes->rows, arena) &&
                 write_names(t) && write_case(t) &&
                 ovr_h5_set_string(t->rows.file, "status", status) &&
-                write_columns(t);
+                write_columns(t) &&
+                (strcmp(status, "complete") != 0 || write_summary(t, arena));
     return ovr_flat_end(&t->rows, part,
                         title ? title : "passes of a line contact", good);
 }
@@ -315,6 +350,23 @@ bool ovr_passes_file_complete(const char *path)
                     strcmp(t.status, "complete") == 0;
     ovr_arena_release(&arena);
     return complete;
+}
+
+const ovr_named_number *ovr_passes_numbers(const char *path, ovr_arena *arena,
+                                           size_t *count)
+{
+    ovr_container c;
+    uint64_t object;
+    const ovr_named_number *found = NULL;
+    int fd = open(path, O_RDONLY | O_CLOEXEC);
+    *count = 0;
+    if (fd >= 0 && ovr_container_open(&c, fd, arena) == OVR_FOUND_CONTAINER &&
+        ovr_container_find(&c, c.root, "pass", &object) &&
+        ovr_container_find(&c, c.root, "summary", &object))
+        found = ovr_container_numbers(&c, object, count);
+    if (fd >= 0)
+        close(fd);
+    return found;
 }
 
 ovr_case *ovr_passes_case(const char *path, const ovr_allocator *allocator,

@@ -23,6 +23,7 @@
 #include "results/hdf5read/hdf5read.h"
 #include "results/results.h"
 #include "run/csv.h"
+#include "run/pass_series.h"
 #include "run/run.h"
 #include "run/task.h"
 #include "run/trials.h"
@@ -79,6 +80,20 @@ static const ovr_table_column *store_number(ovr_table *t, size_t task,
     return c;
 }
 
+/* Reads the numbers of a task of several passes; false if there is no summary.
+ */
+static bool read_passes(ovr_table *t, size_t task, const char *path,
+                        ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(&t->arena.allocator);
+    size_t count;
+    const ovr_named_number *line = ovr_passes_numbers(path, &arena, &count);
+    for (size_t k = 0; line && k < count; k++)
+        store_number(t, task, line[k].name, line[k].value, 0, err);
+    ovr_arena_release(&arena);
+    return line != NULL;
+}
+
 /* Reads the numbers of a task from its result file; false if there is no file
  * or no summary. */
 static bool read_result(ovr_table *t, size_t task, ovr_error *err)
@@ -91,7 +106,9 @@ static bool read_result(ovr_table *t, size_t task, ovr_error *err)
     result = access(path, F_OK) == 0
                  ? ovr_result_open(path, &t->arena.allocator, NULL)
                  : NULL;
-    line = result ? ovr_result_attributes(result, "summary", &count) : NULL;
+    if (!result)
+        return read_passes(t, task, path, err);
+    line = ovr_result_attributes(result, "summary", &count);
     for (size_t k = 0; k < count; k++)
         store_number(t, task, line[k].name, line[k].number, 0, err);
     if (count) {
@@ -696,8 +713,8 @@ static bool find_axis(ovr_container *c, const char *name, ovr_dataset *axis)
            axis->shape[0] <= c->source.bytes;
 }
 
-/* Reads all variables; their dimension is `case`, whose numbers are not read,
- * or `pass`. */
+/* Reads all variables. Their dimension is `case`, whose numbers are not read,
+ * or `pass`. Groups of a file of passes are `case` and `summary`. */
 static bool read_variables(ovr_table *t, ovr_container *c)
 {
     ovr_dataset axis;
@@ -710,6 +727,7 @@ static bool read_variables(ovr_table *t, ovr_container *c)
     t->rows = (size_t)axis.shape[0];
     for (size_t k = 0; good && k < count; k++)
         good = strcmp(links[k].name, "case") == 0 ||
+               (passes && strcmp(links[k].name, "summary") == 0) ||
                add_variable(t, c, &links[k]);
     if (passes && good && t->columns)
         t->column[0].varied = true;

@@ -437,18 +437,20 @@ enum { MAX_LINES = 256 };
 
 typedef struct kept {
     ovr_arena *arena;
+    bool all; /* also what a result file contains elsewhere */
     size_t count;
     ovr_group_attribute line[MAX_LINES];
 } kept;
 
-/* Stores finite numbers. The file contains the number of snapshots and the
+/* Stores finite numbers. A result file contains the number of snapshots and the
  * computing time elsewhere. */
 static void keep(void *data, const ovr_summary_line *line)
 {
     kept *k = data;
     const char *key;
     if (line->form == OVR_SUMMARY_TEXT || !isfinite(line->number) ||
-        !strcmp(line->key, "snapshots") || !strcmp(line->key, "seconds") ||
+        (!k->all &&
+         (!strcmp(line->key, "snapshots") || !strcmp(line->key, "seconds"))) ||
         k->count == MAX_LINES)
         return;
     key = ovr_arena_text(k->arena, line->key, NULL);
@@ -456,15 +458,26 @@ static void keep(void *data, const ovr_summary_line *line)
         k->line[k->count++] = (ovr_group_attribute){key, NULL, line->number};
 }
 
+const ovr_group_attribute *ovr_run_numbers(const ovr_run *run, bool all,
+                                           ovr_arena *arena, size_t *count,
+                                           ovr_error *err)
+{
+    kept *k = ovr_arena_take(arena, 1, sizeof *k, err);
+    *count = 0;
+    if (!k)
+        return NULL;
+    k->arena = arena;
+    k->all = all;
+    ovr_run_summary(&run->info, keep, k);
+    *count = k->count;
+    return k->line;
+}
+
 ovr_status ovr_run_keep_summary(ovr_run *run, ovr_error *err)
 {
-    kept *k = ovr_arena_take(&run->arena, 1, sizeof *k, err);
     ovr_group group = {.path = "summary"};
-    if (!k)
-        return OVR_NO_MEMORY;
-    k->arena = &run->arena;
-    ovr_run_summary(&run->info, keep, k);
-    group.attributes = k->count;
-    group.attribute = k->line;
-    return ovr_writer_group(run->writer, &group, false, err);
+    group.attribute = ovr_run_numbers(run, false, &run->arena,
+                                      &group.attributes, err);
+    return group.attribute ? ovr_writer_group(run->writer, &group, false, err)
+                           : OVR_NO_MEMORY;
 }

@@ -92,8 +92,13 @@ static ovr_status list_tasks(sweeping *w, ovr_error *err)
 
 static ovr_status make_folder(const char *path, ovr_error *err)
 {
-    if ((mkdir(path, 0777) == 0 || errno == EEXIST) &&
-        access(path, W_OK | X_OK) == 0)
+    struct stat found;
+    bool made = mkdir(path, 0777) == 0 || errno == EEXIST;
+    if (made && stat(path, &found) == 0 && !S_ISDIR(found.st_mode))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: is a file; the results of a study need a folder",
+                        path);
+    if (made && access(path, W_OK | X_OK) == 0)
         return OVR_OK;
     return ovr_fail(err, OVR_BAD_INPUT, "%s: cannot be written: %s", path,
                     strerror(errno));

@@ -276,3 +276,25 @@ refuses 'roller-1.h5: exists already' run roller.ini -o roller.h5
 sed '/number/d' roller.ini >none.ini
 expect 0 "$OVERROLL" check none.ini
 contains err 'none.ini:[0-9]*: loss has no effect without number above 1'
+
+# A study of passes: the numbers in its table are those of its summaries
+{ echo '[set]'
+  awk -F'[][]' '/^\[/ { s = $2; next } NF { print s "." $0 }' roller.ini |
+      sed 's/number = 4/number = 2/; /passes.loss/d'
+  printf '[product]\npasses.loss = 0.2, 0.3\n'; } >swept.ini
+: >taken
+refuses 'taken: is a file; .* need a folder' sweep swept.ini -o taken
+expect 0 "$OVERROLL" sweep swept.ini -o swept -q
+cut -d, -f4 swept/manifest.csv | tail -n 2 | sort -u | grep -qx finished ||
+    fail "the study has not finished: $(cat swept/manifest.csv)"
+expect 0 "$OVERROLL" sweep swept.ini -o swept --collect swept.csv -q
+for key in H_cen passes level; do
+    wanted=$(for one in swept/*.json; do
+        sed -n "s/^ *\"$key\": \(.*\),\$/\1/p" "$one" | head -n 1
+    done | paste -sd' ')
+    awk -F, -v key="$key" -v wanted="$wanted" '
+        NR == 1 { for (i = 1; i <= NF; i++) if ($i == key) at = i
+                  split(wanted, w, " "); next }
+        { if (!at || (($at) / w[NR - 1] - 1) ^ 2 > 1e-10) exit 1 }
+        ' swept.csv || fail "$key differs from its summaries: $wanted"
+done
