@@ -78,8 +78,9 @@ bool ovr_block_is_feature(const ovr_block *block)
 /* True if `word` is the name of a section of studies. */
 static bool is_of_study(const char *word)
 {
-    static const char *const names[] = {"study", "set", "product", "zip"};
-    for (int k = 0; k < 4; k++)
+    static const char *const names[] = {"study", "set",    "product", "zip",
+                                        "find",  "random", "limits"};
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++)
         if (!strcmp(word, names[k]))
             return true;
     return false;

@@ -196,3 +196,11 @@ kept strip.h5 "$grew"
 expect 1 "$OVERROLL" run strip.ini --set solver.max_cycles=9
 contains out 'not finite .NOT CONVERGED in'
 contains err 'cycles with solver.max_cycles = 9; features'
+
+# A step of a strip that no shorter step solves: what may help, and no load
+# error, which is not measured
+sed 's/= -20$/= 1/; s/^start.*/start = -6.6/; s/^end.*/end = 3/
+    s/^Rq.*/Rq = 20/; s/^M.*/M = 5/; s/^L.*/L = 5/' strip.ini >step.ini
+gives_up 'the step [0-9]+ to T = [0-9.]+ did not converge, and neither did ' \
+    run step.ini
+contains err 'imbalance [0-9.e-]+ after [0-9]+ cycles; lower features, .* help$'

@@ -136,3 +136,9 @@ both_refuse '^material.ini:7: a window of -1e.06 to 1e.06 b has .* points' \
 refuses 'no node lies in the window X = 1.001 to 1.002; the nodes .* apart$' \
     run plain.ini -o never.h5 --set output.from=1.001 \
     --set output.to=1.002
+
+# Sections of studies in a case
+for section in find random limits; do
+    printf '[contact]\nM = 20\nL = 10\n[%s]\n' $section >study.ini
+    both_refuse "^study.ini:4: \[$section\] is a section of a study" study.ini
+done
