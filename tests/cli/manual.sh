@@ -136,6 +136,13 @@ for page in overroll*.[1357]; do
     grep -q "^\.TH.*\"overroll $version\"" "$page" ||
         fail "$page: not version $version"
 done
+# Each public header is described.
+for header in "$TOP"/include/overroll/*.h; do
+    name=$(basename "$header")
+    [ "$name" = overroll.h ] ||
+        grep -qE "^\.IR? .*\b$name" overroll-library.3 ||
+        fail "overroll-library.3 lacks $name"
+done
 # References lead somewhere.
 # shellcheck disable=SC2013 # names without blanks
 for name in $(sed -n 's/^\.BR \(overroll[a-z\\-]*\) (\([1357]\)).*/\1.\2/p' \
