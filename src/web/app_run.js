@@ -322,8 +322,9 @@ const kinds = {}, helpOf = {}; // text of each; what its help has of it
 
 // What is written here has a name of the page's own.
 async function readKinds() {
-  const help = (await live.call(["init", "--help"])).out.replace(/\s+/g, " ");
-  for (const m of help.matchAll(/(\w+) \(([^()]*)\)/g)) helpOf[m[1]] = m[2];
+  const help = (await live.call(["init", "--help"])).out;
+  for (const m of help.matchAll(/^ {2}(\w+) +(\w.*?)( \(default\))?$/gm))
+    helpOf[m[1]] = m[2];
   for (const kind of KINDS) {
     kinds[kind] = (await live.call(["init", kind])).out.split("\n")
       .filter((line) => !/^file = .*\.h5/.test(line) &&

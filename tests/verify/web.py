@@ -230,7 +230,11 @@ def case_of(browser):
 
 
 def numbers(browser):
-    """Each kind of case shows its quantities."""
+    """Each kind of case has a description and shows its quantities."""
+    names = browser.run("return [...document.getElementById('kind').options]"
+                        ".map((option) => option.textContent)")
+    assert len(names) > 8 and all(": " in name for name in names), names
+    assert "hot: twin-disc machine with heat" in names, names
     for kind, keys in (("hot", ["T_max_rise", "mu_slide"]),
                        ("starved", ["film_ratio"]),
                        ("gear", ["lambda_ratio", "max_pressure_Pa"]),
