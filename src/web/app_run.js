@@ -309,7 +309,7 @@ async function linkedCase() {
     }
     return await new Blob(parts).text();
   } catch (error) {
-    notice = "the link holds no case: " + error.message;
+    notice = "the link contains no case: " + error.message;
     return null;
   }
 }

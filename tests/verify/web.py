@@ -238,7 +238,8 @@ def numbers(browser):
     for kind, keys in (("hot", ["T_max_rise", "mu_slide"]),
                        ("starved", ["film_ratio"]),
                        ("gear", ["lambda_ratio", "max_pressure_Pa"]),
-                       ("cam", ["min_film_m"]), ("bearing", ["mu_roll"])):
+                       ("cam", ["min_film_located_m"]),
+                       ("bearing", ["mu_roll"])):
         browser.run("""const k = document.getElementById('kind');
             k.value = arguments[0]; k.dispatchEvent(new Event('change'));""",
                     kind)
