@@ -266,6 +266,10 @@ contains out '"energy_defect": -0.[12]'
 expect 0 "$OVERROLL" steady spike.ini --json --level 5
 contains out '"T_max_resolved": true'
 ! grep -q 'not resolved' err || fail 'a resolved film is marked'
+# Its temperature profile is far from what 5 points resolve
+expect 0 "$OVERROLL" steady spike.ini --level 6 --set heat.points=5 \
+    --set 'contact.mean_speed=25 m/s'
+contains err 'may be wrong by more than 10 %, because heat.points is 5'
 
 # A start that is found without heat only: what may help, and no invented film
 cat >rough.ini <<'END'

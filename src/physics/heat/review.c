@@ -136,14 +136,21 @@ static void warn_of_balance(const ovr_accompanied_run *run)
 static void warn_of_points(const ovr_accompanied_run *run)
 {
     const ovr_statistics *s = ovr_simulation_statistics(run->sim);
+    const double valid = 10; /* per cent */
     double off = 400 * s->last_cross_film * s->last_cross_film;
     if (!(s->last_cross_film > 0) || ovr_simulation_heat_points(run->sim) != 5)
         return;
-    ovr_warn(run->say, run->listener,
-             "heat: friction is about %.1f %% too low and surface "
-             "temperatures are wrong by up to twice that, because "
-             "heat.points is 5; set heat.points = 7",
-             off);
+    if (off > valid)
+        ovr_warn(run->say, run->listener,
+                 "heat: friction and surface temperatures may be wrong by more "
+                 "than %.0f %%, because heat.points is 5; set heat.points = 7",
+                 valid);
+    else
+        ovr_warn(run->say, run->listener,
+                 "heat: friction is about %.1f %% too low and surface "
+                 "temperatures are wrong by up to twice that, because "
+                 "heat.points is 5; set heat.points = 7",
+                 off);
 }
 
 /* Heat flux into a surface near the end of the domain where it enters, relative
