@@ -45,6 +45,9 @@ typedef struct ovr_parameter_info {
     const char *initial;     /* default as in a case file, or NULL */
     double minimum, maximum; /* allowed, in SI or bare; NAN: not a number */
     bool above;              /* `minimum` itself is not allowed */
+    const char *limit_unit;  /* unit of the limits in help and messages, "" for
+                                none; angles have "deg" */
+    double limit_value;      /* value of 1 limit_unit in SI or bare */
     const char *choices[24]; /* allowed words, terminated by NULL */
     bool physics;            /* the value affects the solution */
     const char *help;

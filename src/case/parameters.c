@@ -159,6 +159,17 @@ const char *ovr_hertzian_name(ovr_hertzian hertzian)
     return "";
 }
 
+const char *ovr_limit_unit(const ovr_parameter *row, double *value)
+{
+    *value = 1;
+    if (row->hertzian)
+        return ovr_hertzian_name(row->hertzian);
+    if (row->dimension != OVR_ANGLE)
+        return ovr_unit_si(row->dimension);
+    *value = ovr_unit_value("deg", OVR_ANGLE);
+    return "deg";
+}
+
 ovr_parameter_info ovr_parameter_at(size_t k)
 {
     const ovr_section *section = sections[0];
@@ -179,6 +190,7 @@ ovr_parameter_info ovr_parameter_at(size_t k)
     };
     for (size_t i = 0; row->words && row->words[i].name && i < 23; i++)
         info.choices[i] = row->words[i].name;
+    info.limit_unit = ovr_limit_unit(row, &info.limit_value);
     ovr_when_text(row, info.when, sizeof info.when);
     return info;
 }

@@ -23,6 +23,10 @@ size_t ovr_section_first(const ovr_section *section);
 /* "b", "b^2/R", "b/um", "ph" or "". */
 const char *ovr_hertzian_name(ovr_hertzian hertzian);
 
+/* Returns the unit in which the limits of a number are stated, or "": angles
+ * have "deg". *value becomes the value of 1 unit in the unit of the row. */
+const char *ovr_limit_unit(const ovr_parameter *row, double *value);
+
 /* Returns the row of a key in a section, or NULL. */
 const ovr_parameter *ovr_parameter_find(const ovr_section *section,
                                         const char *key);

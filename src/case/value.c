@@ -64,11 +64,8 @@ static void write_limit(char *text, size_t capacity, double limit)
 static void write_range(const ovr_parameter *row, char *text, size_t capacity)
 {
     char minimum[32], maximum[32], words[200];
-    const char *unit = row->hertzian ? ovr_hertzian_name(row->hertzian)
-                                     : ovr_unit_si(row->dimension);
-    double one = 1;
-    if (row->dimension == OVR_ANGLE)
-        one = ovr_unit_value(unit = "deg", OVR_ANGLE);
+    double one;
+    const char *unit = ovr_limit_unit(row, &one);
     write_limit(minimum, sizeof minimum, row->minimum / one);
     write_limit(maximum, sizeof maximum, row->maximum / one);
     list_words(row->words, words, sizeof words);

@@ -105,20 +105,10 @@ static int list_topics(const cli_call *call)
 static void describe_range(const ovr_parameter_info *p, char *text,
                            size_t capacity)
 {
-    const char *unit = *p->bare ? p->bare : "";
-    const double degree = 0.017453292519943295;
-    double one = 1;
-    char first[16] = ""; /* unit: SI, of angles degrees */
-    if (!*p->bare && *p->units)
-        snprintf(first, sizeof first, " %.*s", (int)strcspn(p->units, ","),
-                 p->units);
-    if (!strcmp(first, " rad")) {
-        one = degree;
-        strcpy(first, " deg");
-    }
-    snprintf(text, capacity, "%s%s%g to %g%s%s%s", p->type,
-             p->above ? " above " : " ", p->minimum / one, p->maximum / one,
-             first, *unit ? " " : "", unit);
+    const char *unit = p->limit_unit;
+    snprintf(text, capacity, "%s%s%g to %g%s%s", p->type,
+             p->above ? " above " : " ", p->minimum / p->limit_value,
+             p->maximum / p->limit_value, *unit ? " " : "", unit);
 }
 
 static void print_choices(const ovr_parameter_info *p)

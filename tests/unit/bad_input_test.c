@@ -45,7 +45,9 @@ static bool shows(const char *message, const char *format, double number)
 /* The unit of messages in SI: angles are in degrees. */
 static double unit_of(const ovr_parameter_info *p)
 {
-    return strncmp(p->units, "rad,", 4) ? 1 : 0.017453292519943295;
+    bool angle = !strncmp(p->units, "rad,", 4);
+    assert_true(angle == !strcmp(p->limit_unit, "deg"));
+    return angle ? 0.017453292519943295 : 1;
 }
 
 /* All words; a number's largest value, or its units. */
