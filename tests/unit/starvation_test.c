@@ -141,6 +141,25 @@ TEST(usual_inlet_costs_half_a_per_cent_at_most)
     }
 }
 
+TEST(usual_inlet_costs_less_if_the_speed_varies)
+{
+    const double M[] = {2, 5, 20}, L[] = {10, 14, 15};
+    for (int k = 0; k < 3; k++) {
+        char text[200];
+        double loss, X_a;
+        snprintf(text, sizeof text,
+                 "[contact]\nM = %g\nL = %g\n[time]\nend = 1\n[speed]\n"
+                 "history = ramp\nto = 0.999\nduration = 1\n",
+                 M[k], L[k]);
+        X_a = inlet_of(text, &loss);
+        double near = film(M[k], L[k], X_a, 2.5, 0.02);
+        double far = film(M[k], L[k], 4 * X_a, 2.5, 0.02);
+        printf("M = %g, L = %g, X_a = %.3g: %.2g lost\n", M[k], L[k], X_a,
+               1 - near / far);
+        assert_true(1 - near / far < 5e-4);
+    }
+}
+
 TEST(usual_inlet_is_the_papers_or_farther_out)
 {
     double loss;
