@@ -135,3 +135,14 @@ for setting in feature.dent.grow=2 time.end=9; do
     [ -n "$film" ] && [ "$film" = "$(number H_cen plain)" ] ||
         fail "$setting: $(cat out)"
 done
+
+# Level 9 where the mesh of level 8 exceeds a tenth of H^(2/3): at M = 615, L =
+# 2 with H = 7.1e-4, not at M = 20 with H = 0.084; 12 at most.
+for row in '20 10 8' '615 2 9' '4900 0.5 12'; do
+    # shellcheck disable=SC2086 # three words
+    set -- $row
+    expect 0 "$OVERROLL" check --M "$1" --L "$2" --json -q
+    [ "$(number level)" -le "$3" ] || fail "M = $1: level $(number level)"
+    [ "$3" = 12 ] || [ "$(number level)" = "$3" ] ||
+        fail "M = $1: level $(number level)"
+done
