@@ -11,7 +11,10 @@ cases=$BUILD/tests/reference/wide_case_slow_test
 export OVERROLL INSTRUMENTED PYTHONDONTWRITEBYTECODE=1
 seed=${OVERROLL_SEED:-7500000}
 runs=${OVERROLL_RUNS:-60}
+code=0
 OVERROLL_CASES=. OVERROLL_SEED=$seed OVERROLL_RUNS=$runs "$cases" >log 2>&1 ||
-    fail "no cases: $(cat log)"
+    code=$?
+[ $code -ne 2 ] || skip "make verify links the program that draws the cases"
+[ $code -eq 0 ] || fail "no cases: $(cat log)"
 "$PYTHON" "$TOP/tests/verify/wide_files.py" . "$seed" "$runs" \
     "${OVERROLL_MOST:-2}"
