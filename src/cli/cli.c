@@ -354,6 +354,13 @@ int cli_parse(cli_call *call, const cli_verb *verb, int argc, char **argv)
     }
     call->verbosity = cli_flag(call, "v") - cli_flag(call, "q");
     call->json = cli_flag(call, "json");
+    if (call->json && verb->no_json && !cli_flag(call, "help")) {
+        fprintf(stderr,
+                "overroll %s: --json is not an option of commands that "
+                "write tables, pictures or text\n",
+                verb->name);
+        return CLI_USAGE;
+    }
     return check_count(call);
 }
 
@@ -372,10 +379,13 @@ const cli_verb *cli_find_verb(const cli_verb *const *verbs, const char *name)
     return *verbs;
 }
 
-static void print_options(const cli_option *option, FILE *to)
+static void print_options(const cli_verb *verb, const cli_option *option,
+                          FILE *to)
 {
     for (; option && option->name; option++) {
         char left[64];
+        if (verb->no_json && !strcmp(option->name, "json"))
+            continue;
         bool letter = option->name[1] == '\0' && option->name[0] >= 'a';
         snprintf(left, sizeof left, "%s%s%s%s", letter ? "-" : "--",
                  option->name, option->argument ? " " : "",
@@ -391,6 +401,6 @@ void cli_print_help(const cli_verb *verb, FILE *to)
     if (verb->help)
         fprintf(to, "\n%s\n", verb->help);
     fputs("\nOptions:\n", to);
-    print_options(verb->options, to);
-    print_options(common, to);
+    print_options(verb, verb->options, to);
+    print_options(verb, common, to);
 }

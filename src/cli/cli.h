@@ -50,8 +50,9 @@ typedef struct cli_verb {
     const cli_option *options; /* ends with name NULL; may be NULL */
     int minimum, maximum;      /* allowed number of positional arguments */
     int (*run)(cli_call *call);
-    bool steady; /* no time steps: signals end it, and a solution that has not
-                  * converged has failed */
+    bool steady;  /* no time steps: signals end it, and a solution that has not
+                   * converged has failed */
+    bool no_json; /* the output is a table, picture or text: no --json */
 } cli_verb;
 
 extern const cli_verb cli_steady, cli_run, cli_resume, cli_check, cli_init;

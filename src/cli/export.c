@@ -520,6 +520,7 @@ static const cli_option options[] = {
 
 const cli_verb cli_export = {
     .name = "export",
+    .no_json = true,
     .arguments = "OUT.h5 [-o FILE]",
     .summary = "export tables for other programs",
     .help = "Without a choice of snapshots: the history, one row per time "

@@ -141,6 +141,7 @@ static int run(cli_call *call)
 
 const cli_verb cli_frames = {
     .name = "frames",
+    .no_json = true,
     .arguments = "OUT.h5... -o DIR",
     .summary = "draw each snapshot, and make a movie",
     .help = "Pressure, film thickness and roughness against x, with the same "

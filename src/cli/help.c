@@ -355,7 +355,7 @@ static int bash(const cli_call *call)
             bool letter = option->name[1] == '\0' && option->name[0] >= 'a';
             printf("%s%s ", letter ? "-" : "--", option->name);
         }
-        puts("-q -v --json --help' ;;");
+        printf("-q -v %s--help' ;;\n", (*verb)->no_json ? "" : "--json ");
     }
     return CLI_DONE;
 }
@@ -490,6 +490,7 @@ static const cli_option options[] = {
 
 const cli_verb cli_help = {
     .name = "help",
+    .no_json = true,
     .arguments = "[TOPIC]",
     .summary = "explain a command, a section or a key of the case",
     .options = options,

@@ -533,6 +533,7 @@ static const cli_option options[] = {
 
 const cli_verb cli_init = {
     .name = "init",
+    .no_json = true,
     .arguments = "[KIND] [--set KEY=VALUE]... [-o FILE]",
     .summary = "write a commented case to start from",
     .help =

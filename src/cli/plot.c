@@ -346,6 +346,7 @@ static int run(cli_call *call)
 
 const cli_verb cli_plot = {
     .name = "plot",
+    .no_json = true,
     .arguments = "OUT.h5... | STUDY.ini | TABLE.csv | TABLE.nc -o PICTURE",
     .summary = "draw one picture: snapshot, history, space-time map, trace, "
                "study",

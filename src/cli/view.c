@@ -168,6 +168,7 @@ static int run(cli_call *call)
 
 const cli_verb cli_view = {
     .name = "view",
+    .no_json = true,
     .arguments = "OUT.h5 [OTHER.h5] -o PAGE.html",
     .summary = "make a web page that plays the run",
     .help = "The page needs no network and no installation. Two files are\n"

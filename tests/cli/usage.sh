@@ -13,3 +13,12 @@ refuses nonsense nonsense
 refuses nonsense help nonsense
 refuses nonsense --nonsense
 refuses . ''
+
+# --json where there is a report; the other commands ignored it
+for verb in export plot frames view init help; do
+    refuses "^overroll $verb: --json is not an option of commands" $verb --json
+    expect 0 "$OVERROLL" $verb --help
+    ! grep -q -e '--json ' out || fail "$verb offers --json"
+done
+expect 0 "$OVERROLL" steady --help
+contains out '^  --json  '
