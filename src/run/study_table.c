@@ -647,7 +647,7 @@ static void read_rows(ovr_table *t, char *at, const char **text[])
 static ovr_table *read_csv(const char *path, ovr_error *err)
 {
     ovr_table *t = ovr_table_make(NULL, err);
-    const char **cells[OVR_TABLE_COLUMNS];
+    const char **cells[OVR_TABLE_COLUMNS] = {NULL};
     const char *text =
         t ? ovr_text_file(path, "table", MAX_BYTES, &t->arena, err) : NULL;
     char *at;
