@@ -152,6 +152,7 @@ typedef struct settling {
     bool grown;       /* features have their full height from the beginning */
     double tolerance; /* tolerance of the steady film */
     int cycles;
+    int hard; /* successive steps for which the first method failed */
 } settling;
 
 /* Sets the operator with the time derivative of a step; dt = INFINITY: steady.
@@ -258,9 +259,9 @@ static bool stepped_by_newton(settling *s)
     return found;
 }
 
-/* Solves a step by one of three methods of increasing cost and robustness, then
- * by Newton's method. */
-static bool stepped(settling *s)
+/* Solves a step by one of three methods of increasing cost and robustness.
+ * *hard is set if the first one failed. */
+static bool stepped_by_cycles(settling *s, bool *hard)
 {
     static const struct {
         int sweeps, maximum;
@@ -274,10 +275,28 @@ static bool stepped(settling *s)
         restore(s);
         set_gap(s, s->t + s->dt);
         set_grown(s, s->dt);
+        *hard = k > 0;
         if (relaxed(s, &c, methods[k].maximum))
             return true;
     }
-    return stepped_by_newton(s);
+    return false;
+}
+
+/* Solves a step by cycles, then by Newton's method. After several hard steps
+ * Newton's method is first, which takes 2 or 3 steps for 20 to 100 cycles. */
+static bool stepped(settling *s)
+{
+    enum { PATIENCE = 3 };
+    const bool newton_first = s->hard >= PATIENCE;
+    bool hard;
+    if (newton_first && stepped_by_newton(s))
+        return true;
+    if (stepped_by_cycles(s, &hard)) {
+        s->hard = hard && !newton_first ? s->hard + 1 : 0;
+        return true;
+    }
+    s->hard = newton_first ? 0 : s->hard + 1;
+    return !newton_first && stepped_by_newton(s);
 }
 
 static ovr_defect steady_defect(const settling *s)

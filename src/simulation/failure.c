@@ -164,6 +164,26 @@ ovr_reached ovr_failure_reached(const ovr_simulation *sim,
     return r;
 }
 
+/* Suggests a remedy for a steady solve. */
+static void instead_steady(const ovr_simulation *sim, bool rough, size_t size,
+                           char *text)
+{
+    double film = ovr_target_film(&sim->target, 1);
+    if (rough)
+        snprintf(text, size,
+                 "features that start upstream of the inlet, or grow in time, "
+                 "are easier to solve");
+    else if (inlet_mesh(sim) > ovr_resolving_mesh(sim->contact.M, film))
+        snprintf(text, size,
+                 "domain.level = %d resolves the pressure build-up at the "
+                 "inlet",
+                 ovr_level_resolving(sim));
+    else
+        snprintf(text, size,
+                 "a finer [domain] level, a shear-thinning oil or a lower load "
+                 "may help");
+}
+
 ovr_status ovr_failure_steady(const ovr_simulation *sim,
                               const ovr_outcome *outcome, double tolerance,
                               ovr_error *err)
@@ -178,20 +198,16 @@ ovr_status ovr_failure_steady(const ovr_simulation *sim,
     OVR_EACH_PHYSICS(sim, p, in_solve, explain)
         if (p->is->in_solve->explain(sim, p->own, outcome, err))
             return OVR_NOT_CONVERGED;
-    if (surfaces_overlap(sim, &outcome->defect))
+    if (outcome->rough && surfaces_overlap(sim, &outcome->defect))
         return touching(sim, 0, err);
-    char limit[50];
+    char limit[50], text[120];
+    instead_steady(sim, outcome->rough, sizeof text, text);
     return ovr_fail(err, OVR_NOT_CONVERGED,
                     "the steady solution did not converge with any of %d "
-                    "strategies: %s after %d cycles (target %.1e)%s%s%s",
+                    "strategies: %s after %d cycles (target %.1e)%s%s; %s",
                     outcome->retries + 1, ending_of(&outcome->defect).words,
                     outcome->cycles, tolerance, outcome->spent ? spent : "",
-                    limit_of(sim, sizeof limit, limit),
-                    sim->shapes.heights
-                        ? "; features that start upstream of the inlet, or "
-                          "grow in time, are easier to solve"
-                        : "; a finer [domain] level, a shear-thinning "
-                          "oil or a lower load may help");
+                    limit_of(sim, sizeof limit, limit), text);
 }
 
 /* Suggests a remedy, from the contact at reference load and speed. */

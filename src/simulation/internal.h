@@ -200,6 +200,7 @@ typedef struct ovr_outcome {
     int cycles, retries;
     double error; /* local error of a step */
     bool converged, marked;
+    bool rough;       /* a steady solve whose film contains features */
     bool spent;       /* ended by the work limit */
     bool uncorrected; /* a step of a run of order 4 without its corrections */
 } ovr_outcome;

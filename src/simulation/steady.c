@@ -467,7 +467,7 @@ static bool is_left_out(const ovr_simulation *sim, const strategy *s,
 /* Tries the strategies in order; returns the tolerance of the last one. */
 static double search(ovr_simulation *sim, ovr_outcome *outcome)
 {
-    const bool rough = has_features(sim);
+    const bool rough = outcome->rough = has_features(sim);
     double tolerance = 0;
     sim->start.settling = 0;
     ovr_hierarchy_allow(&sim->grids, largest_work(sim, rough));
@@ -509,7 +509,7 @@ static double solve_line(ovr_simulation *sim, ovr_outcome *outcome)
 static ovr_status solve_steady(ovr_simulation *sim, ovr_error *err)
 {
     const ovr_present *other = sim->physics.solver;
-    ovr_outcome outcome = {0};
+    ovr_outcome outcome = {.rough = sim->shapes.heights};
     sim->started = false;
     if (begin_load_and_speed(sim, err) || ovr_smooth_check(sim, 0, err))
         return OVR_BAD_INPUT;

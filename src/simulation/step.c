@@ -184,7 +184,7 @@ static bool has_newton(ovr_simulation *sim)
 {
     ovr_hierarchy *grids = &sim->grids;
     return sim->options.smoother == OVR_LINE && !grids->touch.at &&
-           !grids->content && !sim->finest->asperity_P &&
+           !grids->conserving && !sim->finest->asperity_P &&
            !sim->options.paper_balance;
 }
 
