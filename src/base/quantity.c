@@ -310,6 +310,9 @@ static ovr_status wrong_unit(const char *text, const char *unit,
 {
     char hint[60];
     const char *meant;
+    if (*unit == ',' && unit[1] == ' ')
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "'%.60s' is a list; one number is expected", text);
     if (*unit == ',')
         return ovr_fail(err, OVR_BAD_INPUT,
                         "'%.60s' is not a number: write a point, not a comma",

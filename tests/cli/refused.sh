@@ -142,3 +142,7 @@ for section in find random limits; do
     printf '[contact]\nM = 20\nL = 10\n[%s]\n' $section >study.ini
     both_refuse "^study.ini:4: \[$section\] is a section of a study" study.ini
 done
+
+# A list where one number is expected is not a decimal comma
+refuses "'20, 30' is a list; one number is expected" steady --M '20, 30' --L 10
+refuses "'20,5' is not a number: write a point" steady --M '20,5' --L 10
