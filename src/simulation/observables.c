@@ -185,7 +185,7 @@ static const ovr_observable table[] = {
            COMMENT("relative to the reference load"),
            OF_MAGNITUDE("load_error_max"), EXTREME_REPORTED, STEADY_TOO),
     NUMBER("speed_ratio", NULL, NULL, NUMBER, speed_ratio,
-           "entrainment speed relative to the reference speed"),
+           "entrainment speed relative to reference speed"),
     NUMBER("sliding_speed", "sliding", NULL, NUMBER, sliding,
            "sliding speed relative to the reference speed",
            COMMENT("u1 - u2, relative to the reference entrainment speed")),
