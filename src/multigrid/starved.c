@@ -82,12 +82,34 @@ static void conserve(ovr_hierarchy *grids, ovr_level *level)
     fill_dry(level, q);
 }
 
+/* Parameters for cycles that diverged: small, halved corrections. */
+static ovr_full damped(const ovr_full *how)
+{
+    ovr_full to = *how;
+    to.cycling.sweeps_before = to.cycling.sweeps_after = 2;
+    to.cycling.smoothing.limit = 0.05;
+    to.cycling.correction = 0.5;
+    return to;
+}
+
 ovr_defect ovr_flooded(ovr_hierarchy *grids, const ovr_full *how, int *cycles)
 {
+    const double enough = 1e-4;
+    const ovr_full again = damped(how);
     ovr_level *level = &grids->level[grids->finest];
+    const double H0 = grids->H0;
     grids->supplied = false;
+    ovr_level_read(grids, level, level->f.P, how->saved);
     conserve(grids, level);
-    return ovr_content_cycles(grids, how, level, cycles);
+    ovr_defect d = ovr_content_cycles(grids, how, level, cycles);
+    if (how->fixed || ovr_below(d, enough))
+        return d;
+    grids->conserving = false;
+    grids->H0 = H0;
+    ovr_level_write(grids, level, how->saved, level->f.P);
+    ovr_level_refresh(grids, level);
+    conserve(grids, level);
+    return ovr_content_cycles(grids, &again, level, cycles);
 }
 
 /* ------------------------------------------------- flooded on a coarse level
