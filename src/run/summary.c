@@ -394,7 +394,8 @@ void ovr_run_report(const ovr_run_info *s, ovr_summary_taker *take, void *data)
             ovr_simulation_observation(s->sim)->P_spike_resolved);
     if (ovr_setup_heat(s->setup))
         ovr_put(&to, "T_max_resolved", OVR_SUMMARY_FLAG,
-                ovr_heat_is_resolved(ovr_simulation_observation(s->sim)));
+                s->converged &&
+                    ovr_heat_is_resolved(ovr_simulation_observation(s->sim)));
     ovr_put_number(&to, "shear_over_pressure", s->shear_over_pressure);
     ovr_put_number(&to, "unbearable_share", s->unbearable_share);
     if (s->passes)

@@ -371,13 +371,29 @@ static ovr_status choose(ovr_profile *p, const ovr_profile_source *s,
     return choose_default(p, s->band, chosen, err);
 }
 
+/* Distances along rows and columns are comparable; otherwise lines in oblique
+ * directions have too many points. */
+static ovr_status check_spacings(const ovr_profile *p, ovr_error *err)
+{
+    const double factor = 1e6, dx = p->map.dx, dy = p->map.dy;
+    if (isnormal(dx) && (p->map.ny == 1 || (isnormal(dy) && dx <= factor * dy &&
+                                            dy <= factor * dx)))
+        return OVR_OK;
+    return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
+                       "the spacings of points, %g m and %g m, must differ by "
+                       "a factor of at most %g",
+                       dx, dy, factor);
+}
+
 ovr_status ovr_areal_finish(ovr_profile *p, const ovr_profile_source *source,
                             double scale, ovr_error *err)
 {
     ovr_areal *map = &p->map;
     size_t all = map->nx * map->ny;
-    ovr_status status = OVR_OK;
+    ovr_status status = check_spacings(p, err);
     line chosen;
+    if (status)
+        return status;
     ovr_profile_drop_codes(p, map->z, all);
     map->missing = 0;
     for (size_t i = 0; i < all; i++) {

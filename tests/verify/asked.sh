@@ -72,12 +72,12 @@ table_of() {
 }
 asked_at_random() {
     {
-        printf '[study]\ncase = %s.ini\n[random]\ndraws = 8\n' "$name"
+        printf '[study]\ncase = %s.ini\n[random]\ndraws = 32\n' "$name"
         printf '%s = uniform %s to %s\n' "$key" "$low" "$high"
     } >study.ini
     expect 0 "$OVERROLL" sweep study.ini -j 2 -q -o drawn
     table_of drawn >drawn.txt
-    [ "$(grep -c ' finished ' drawn.txt)" -eq 8 ] ||
+    [ "$(grep -c ' finished ' drawn.txt)" -eq 32 ] ||
         fail "$name: $(cat drawn.txt)"
     killed killed '*.json' 2 "$OVERROLL" sweep study.ini -j 2 -q -o killed
     expect 0 "$OVERROLL" sweep study.ini -j 2 -q -o killed

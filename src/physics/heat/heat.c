@@ -440,10 +440,11 @@ static ovr_status explain(const ovr_simulation *sim, const void *own,
     return ovr_fail(
         err, OVR_NOT_CONVERGED,
         "the steady solution converged without heat, but not with heat: "
-        "after %d cycles and %d strategies temperatures still change by %.1e "
+        "after %d cycles and %d strateg%s temperatures still change by %.1e "
         "of the maximum rise (target %.0e), %s; %sless sliding, a finer "
         "domain.level or a limiting shear stress may help",
-        outcome->cycles, outcome->retries + 1, h->change, OVR_HEAT_CHANGE, film,
+        outcome->cycles, outcome->retries + 1, outcome->retries ? "ies" : "y",
+        h->change, OVR_HEAT_CHANGE, film,
         sim->shapes.heights ? "lower features, " : "");
 }
 
