@@ -342,19 +342,27 @@ static ovr_status make_symmetric(ovr_resolved *r, bool inlet, bool outlet,
     return OVR_OK;
 }
 
-/* Rejects a window of stored nodes that is outside the domain. */
+/* Rejects a window of stored nodes that is outside the domain or between two
+ * nodes. */
 static ovr_status check_window(const ovr_resolved *r, ovr_error *err)
 {
     const ovr_options *o = r->setup.options;
     const ovr_output *out = r->setup.output;
+    double D = (o->outlet - o->inlet) / (double)(ovr_level_nodes(o->level) - 1);
+    double next = o->inlet + ceil((out->from - o->inlet) / D - 1e-9) * D;
     bool downstream = out->from > o->outlet;
-    if (!downstream && !(out->to < o->inlet))
-        return OVR_OK;
-    return ovr_fail_slot(
-        err, ovr_slot_of(r, "output", downstream ? "from" : "to"),
-        "%g b is outside the domain X = %.4g to %.4g, so that nothing would be "
-        "stored",
-        downstream ? out->from : out->to, o->inlet, o->outlet);
+    if (downstream || out->to < o->inlet)
+        return ovr_fail_slot(
+            err, ovr_slot_of(r, "output", downstream ? "from" : "to"),
+            "%g b is outside the domain X = %.4g to %.4g, so that nothing "
+            "would be stored",
+            downstream ? out->from : out->to, o->inlet, o->outlet);
+    if (next > out->to + 1e-9 * D)
+        return ovr_fail_slot(err, ovr_slot_of(r, "output", "to"),
+                             "no node lies between %g b and %g b; the mesh "
+                             "size is %.4g b",
+                             out->from, out->to, D);
+    return OVR_OK;
 }
 
 ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,

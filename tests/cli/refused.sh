@@ -129,11 +129,13 @@ both_refuse '^from.ini:8: from: 1.6 b is outside the domain X = -4 to 1.5' \
     from.ini
 printf '[output]\nto = -5\n' | cat plain.ini - >to.ini
 both_refuse '^to.ini:8: to: -5 b is outside the domain' to.ini
+printf '[output]\nfrom = 0.1\nto = 0.1001\n' | cat plain.ini - >thin.ini
+both_refuse '^thin.ini:9: to: no node lies between 0.1 b and 0.1001 b' thin.ini
 echo 'window = -1e6, 1e6' | cat plain.ini - >material.ini
 sed -i 's/^level.*/level = 7/' material.ini
 both_refuse '^material.ini:7: a window of -1e.06 to 1e.06 b has .* points' \
     material.ini
-refuses 'no node lies in the window X = 1.001 to 1.002; the nodes .* apart$' \
+refuses '^--set: to: no node lies between 1.001 b and 1.002 b; .* 0.02455 b' \
     run plain.ini -o never.h5 --set output.from=1.001 \
     --set output.to=1.002
 
