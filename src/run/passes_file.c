@@ -242,9 +242,10 @@ static const ovr_group_attribute *summary_of(const ovr_run *run,
                                        &run->arena.allocator, NULL);
     const ovr_group_attribute *from =
         last ? ovr_result_attributes(last, "summary", count) : NULL;
+    *count = from ? *count : 0;
     ovr_group_attribute *to = ovr_arena_take(arena, *count + 1, sizeof *to,
                                              NULL);
-    for (size_t k = 0; to && k < *count; k++)
+    for (size_t k = 0; to && from && k < *count; k++)
         to[k] = (ovr_group_attribute){ovr_arena_text(arena, from[k].name, NULL),
                                       NULL, from[k].number};
     ovr_result_close(last);
