@@ -258,7 +258,10 @@ typedef struct ovr_observation {
     double T_1_max, X_T_1_max, T_1_max_rise;
     double T_2_max, X_T_2_max, T_2_max_rise;
     double heat_flow_1, heat_flow_2, energy_defect;
-    double residual; /* relative mass-flow imbalance R */
+    double T_max_finer; /* T_max_rise expected on finer grids: the largest sum
+                           of a temperature and its excess over the mean of the
+                           adjacent nodes */
+    double residual;    /* relative mass-flow imbalance R */
     int order;  /* order of the step: as in the run, or 2 without corrections */
     int cycles; /* multigrid cycles of this step */
     int retries;    /* number of repeated attempts */

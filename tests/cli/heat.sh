@@ -266,6 +266,47 @@ contains out '"energy_defect": -0.[12]'
 expect 0 "$OVERROLL" steady spike.ini --json --level 5
 contains out '"T_max_resolved": true'
 ! grep -q 'not resolved' err || fail 'a resolved film is marked'
+# A film with an exact energy balance whose hottest point is a peak at the
+# pressure spike, narrower than the mesh: the rise is 30 % too small
+cat >narrow.ini <<'END'
+[contact]
+load = 150 kN/m
+radius = 10 mm
+modulus = 226 GPa
+mean_speed = 8.19 m/s
+slide_to_roll = 0.01
+[lubricant]
+viscosity = 30 mPa.s
+alpha = 20 1/GPa
+[domain]
+level = 7
+[heat]
+model = lobatto
+temperature = 60 degC
+END
+rise() {
+    sed -n 's/.*"T_max_rise": \([0-9.]*\).*/\1/p' "$1"
+}
+expect 0 "$OVERROLL" steady narrow.ini
+contains err 'maximum film temperature is not resolved.*few nodes wide'
+contains out '^maximum film temperature .*(not resolved)'
+expect 0 "$OVERROLL" steady narrow.ini --json
+contains out '"T_max_resolved": false'
+narrow=$(rise out)
+expect 0 "$OVERROLL" steady narrow.ini --json --level 10
+fine=$(rise out)
+awk "BEGIN {exit !($narrow < 0.9*$fine)}" ||
+    fail "a rise of $narrow K is marked, on level 10 it is $fine K"
+# An Eyring lubricant has no such peak
+expect 0 "$OVERROLL" steady narrow.ini --json --set lubricant.rheology=eyring \
+    --set lubricant.eyring_stress=5MPa
+contains out '"T_max_resolved": true'
+narrow=$(rise out)
+expect 0 "$OVERROLL" steady narrow.ini --json --level 10 \
+    --set lubricant.rheology=eyring --set lubricant.eyring_stress=5MPa
+fine=$(rise out)
+awk "BEGIN {exit !($narrow > 0.99*$fine && $narrow < 1.01*$fine)}" ||
+    fail "a rise of $narrow K is not marked, on level 10 it is $fine K"
 # Its temperature profile is far from what 5 points resolve
 expect 0 "$OVERROLL" steady spike.ini --level 6 --set heat.points=5 \
     --set 'contact.mean_speed=25 m/s'

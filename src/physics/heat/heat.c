@@ -159,10 +159,21 @@ static void largest(const ovr_simulation *sim, const double *T, double *value,
         }
 }
 
+/* Returns the maximum that T may have on finer grids: the largest sum of T and
+ * its excess over the mean of the adjacent nodes. */
+static double largest_on_finer_grids(const ovr_simulation *sim, const double *T)
+{
+    double largest = 0;
+    for (size_t i = 1; i + 1 < sim->now.n; i++)
+        largest = ovr_larger(largest, 2 * T[i] - (T[i - 1] + T[i + 1]) / 2);
+    return largest;
+}
+
 static void observe_temperatures(const ovr_simulation *sim, ovr_observation *o)
 {
     const ovr_heated *h = sim->heated;
     double T0 = h->numbers.T0;
+    o->T_max_finer = 0;
     for (int j = 0; j < h->cross_film.n; j++) {
         double T = NAN, X = NAN;
         largest(sim, h->T[j], &T, &X);
@@ -170,6 +181,8 @@ static void observe_temperatures(const ovr_simulation *sim, ovr_observation *o)
             o->T_max_rise = T;
             o->X_T_film_max = X;
         }
+        o->T_max_finer = ovr_larger(o->T_max_finer,
+                                    largest_on_finer_grids(sim, h->T[j]));
     }
     largest(sim, h->T[0], &o->T_1_max_rise, &o->X_T_1_max);
     largest(sim, h->T[h->cross_film.n - 1], &o->T_2_max_rise, &o->X_T_2_max);
@@ -239,7 +252,8 @@ static double flow_into(const ovr_simulation *sim, int k)
 
 static void unknown(ovr_observation *o)
 {
-    o->T_film_max = o->X_T_film_max = o->T_max_rise = NAN;
+    o->T_film_max = o->X_T_film_max = NAN;
+    o->T_max_rise = o->T_max_finer = NAN;
     o->T_1_max = o->X_T_1_max = o->T_1_max_rise = NAN;
     o->T_2_max = o->X_T_2_max = o->T_2_max_rise = NAN;
     o->heat_flow_1 = o->heat_flow_2 = o->energy_defect = NAN;

@@ -110,25 +110,45 @@ static void warn_of_lag(const ovr_accompanied_run *run)
              s->lagging, s->steps);
 }
 
-bool ovr_heat_is_resolved(const ovr_observation *o)
+static const double negligible = 1; /* temperature rise, K */
+
+static bool is_balanced(const ovr_observation *o)
 {
-    const double maximum = 0.05, negligible = 1 /* K */;
+    const double maximum = 0.05;
     return !(o->converged && fabs(o->energy_defect) > maximum &&
              o->T_max_rise > negligible);
 }
 
-/* Warns of the energy balance at the end of the run. */
-static void warn_of_balance(const ovr_accompanied_run *run)
+/* False if finer grids would give a maximum film temperature that is higher by
+ * more than 10 %. */
+static bool is_peak_resolved(const ovr_observation *o)
+{
+    return !(o->converged && o->T_max_finer > 1.1 * o->T_max_rise &&
+             o->T_max_finer > negligible);
+}
+
+bool ovr_heat_is_resolved(const ovr_observation *o)
+{
+    return is_balanced(o) && is_peak_resolved(o);
+}
+
+/* Warns of temperatures that are not resolved at the end of the run. */
+static void warn_of_resolution(const ovr_accompanied_run *run)
 {
     const ovr_observation *o = ovr_simulation_observation(run->sim);
-    if (ovr_heat_is_resolved(o))
-        return;
-    ovr_warn(
-        run->say, run->listener,
-        "heat: temperatures are not resolved, because the energy balance "
-        "of the film at T = %.4g has an error of %.0f %%; use a finer grid "
-        "(domain.level = %d)",
-        o->T, 100 * fabs(o->energy_defect), run->setup->options->level + 1);
+    if (!is_balanced(o))
+        ovr_warn(
+            run->say, run->listener,
+            "heat: temperatures are not resolved, because the energy balance "
+            "of the film at T = %.4g has an error of %.0f %%; use a finer grid "
+            "(domain.level = %d)",
+            o->T, 100 * fabs(o->energy_defect), run->setup->options->level + 1);
+    else if (!is_peak_resolved(o))
+        ovr_warn(run->say, run->listener,
+                 "heat: the maximum film temperature is not resolved, because "
+                 "a peak of temperature at T = %.4g is only a few nodes wide "
+                 "and higher on finer grids; use a finer grid (domain.level)",
+                 o->T);
 }
 
 /* Warns by x of heated.h if there are too few points across the film; prints
@@ -196,7 +216,7 @@ static void review(const ovr_accompanied_run *run)
     if (!ovr_simulation_state(run->sim)->n)
         return;
     warn_of_lag(run);
-    warn_of_balance(run);
+    warn_of_resolution(run);
     warn_of_points(run);
     warn_of_rise(run);
     warn_of_domain(run);
