@@ -24,9 +24,9 @@ extern const ovr_section ovr_heat_section;
 ovr_status ovr_heat_resolve(const ovr_physics_case *of, void *form, bool *on,
                             ovr_error *err);
 
-/* False if the grid does not resolve the heat source or the maximum temperature
- * of a converged film: the energy balance error exceeds 5 %, or T_max_finer
- * exceeds T_max_rise by 10 %, and the temperature rise exceeds 1 K. */
+/* False if the grid does not resolve a converged film that is 1 K hotter than
+ * its supply: energy_defect exceeds 0.05, or T_max_finer exceeds 1.1 times
+ * T_max_rise. */
 bool ovr_heat_is_resolved(const ovr_observation *o);
 
 /* The heat parameters of a setup, which can still be changed; NULL: no heat. */
