@@ -21,19 +21,12 @@
  * temperatures, the corrections of the steady film are recomputed after each
  * outer iteration; if this does not converge, the solution is of second order.
  *
- * The steady start also satisfies the equations of a step of any length. For
- * this purpose F includes the residual of the steady film q_s,
+ * Where load, speed and radius are constant, the steady start also satisfies
+ * the equations of a step of any length: F includes the residual of the steady
+ * film q_s,
  *     R_i = F_s + Cu (1.5 q_i - 2 q_{i-1} + 0.5 q_{i-2})/D - BDF2(q_s) -
  * F(q_s), its own correction F_s and wedge minus those of a step. With
- * mass-conserving cavitation R is a difference of flows (fourth_content.h).  If
- * moving features are inside at T = 0, q_s is the film without them. With heat
- * or mass-conserving cavitation that film is not computed, and R is omitted.
- *
- * R is large only at the pressure spike, where it changes within a mesh size.
- * When a feature moves the film end by that distance R is omitted there. Where
- * load, speed or radius vary, R is then omitted for the rest of the run: in
- * ramps and sines of the load, a constant R made mean errors of H_min up to
- * three times larger.
+ * mass-conserving cavitation R is a difference of flows (fourth_content.h).
  *
  * With upstream2 a run adds the corrections of its steady start to the
  * right-hand sides of every step: they remove the second-order error of the
@@ -72,17 +65,12 @@ typedef struct fourth {
     double *next; /* correction of the gap for the next step; `gap` is that of
                    * the last step, with which its film was solved */
     bool ahead;   /* the next step is being solved */
-    /* While the start remains steady: q_s, and the part of R that is
+    /* For constant operating conditions: q_s, and the part of R that is
      * independent of the step. `mask` is m, negative where R is omitted; with
      * mass-conserving cavitation it contains the flows psi. `rest` is R of a
-     * step of length rest_dT. `stored`: q_s is the film without moving
-     * features. */
+     * step of length rest_dT. */
     int rests;
-    bool stored;
     double *start, *constant, *mask, *rest, rest_dT;
-    /* Ends of q_s and of the present film in mesh sizes; factor on R at the
-     * outlet */
-    double end[2], near;
     ovr_fourth_content content; /* with mass-conserving cavitation */
 } fourth;
 
@@ -147,18 +135,16 @@ static void standing_heights(const ovr_simulation *sim, double *S)
                              sim->now.X, S);
 }
 
-/* True if a run has features at T = 0 that are not stationary. The beginning of
- * a feature at the inlet is 1e-10 of its depth. */
+/* True if a run has features at T = 0 that are not stationary. */
 static bool has_moving_features(ovr_simulation *sim)
 {
     size_t n = sim->now.n;
-    const double none = 1e-8 * ovr_target_film(&sim->target, 1);
     if (!sim->shapes.standing_given || !sim->shapes.heights)
         return false;
     double *S = ovr_work_take(sim);
     ovr_surface_heights(sim, 0, n, sim->now.X, sim->shapes.S);
     standing_heights(sim, S);
-    bool apart = sim->grids.kernels->difference(n, S, sim->shapes.S) > none;
+    bool apart = sim->grids.kernels->difference(n, S, sim->shapes.S) > 0;
     ovr_work_give(sim, S);
     return apart;
 }
@@ -361,7 +347,6 @@ void ovr_fourth_renew(ovr_simulation *sim)
         ovr_simulation_gap(sim, 0);
         return;
     }
-    f->stored = false;
     ovr_fourth_evaluate(&sim->grids, c, sim->grids.op.speed, false);
     ovr_nodes_read(sim, sim->finest, c->F, f->F);
     ovr_nodes_read(sim, sim->finest, c->gap, f->gap);
@@ -376,6 +361,28 @@ bool ovr_fourth_give_up(ovr_simulation *sim)
     withdraw(sim, f);
     ovr_simulation_gap(sim, 0);
     return true;
+}
+
+/* Solves for the surfaces at T = 0. */
+static ovr_defect solve(ovr_simulation *sim, void *own, const ovr_full *how,
+                        int *cycles)
+{
+    fourth *f = own;
+    withdraw(sim, f);
+    f->follows = f->rests = f->ahead = false;
+    if (applies(sim) && !ovr_conserves(sim)) /* otherwise after mass-conserving
+                                              * cavitation is enabled */
+        sim->order = 4;
+    if (sim->order == 4 && has_moving_features(sim)) {
+        standing_gap(sim);
+        solve_and_correct(sim, f, how, cycles);
+        ovr_simulation_gap(sim, 0);
+        sim->start.refinements = 0;
+        if (sim->order == 4)
+            return solve_corrected(sim, f, how, cycles);
+    }
+    ovr_simulation_gap(sim, 0);
+    return solve_and_correct(sim, f, how, cycles);
 }
 
 /* ----------------------------------------------------------------- in a run */
@@ -428,7 +435,6 @@ static void fade(const ovr_simulation *sim, fourth *f, double *carried)
         ovr_mirror(n, P, image);
     const double end = film_end(sim->histories.backward ? image : P, n);
     ovr_work_give(sim, image);
-    f->end[1] = end;
     /* nodes upstream of this one, almost all, keep their values */
     const double fades = end - sharp - OVER - 1;
     for (size_t i = 0; i < n; i++) {
@@ -449,92 +455,25 @@ static void fade(const ovr_simulation *sim, fourth *f, double *carried)
     }
 }
 
-static void evaluate_in_space(ovr_simulation *sim, fourth *f)
-{
-    const ovr_correction *c = &f->correction;
-    ovr_fourth_evaluate(&sim->grids, c, 0,
-                        sim->histories.backward && !sim->histories.mirrored);
-    ovr_nodes_read(sim, sim->finest, c->F, f->F);
-    ovr_nodes_read(sim, sim->finest, c->gap, f->next);
-}
-
 /* Computes the corrections from the newest solution at T; dT is the step before
  * it. */
 static void evaluate(ovr_simulation *sim, fourth *f, double T, double dT,
                      double *mask)
 {
+    const ovr_correction *c = &f->correction;
     if (ovr_conserves(sim)) {
-        ovr_fourth_content_evaluate(sim, &f->content, &f->correction, 0, f->F,
-                                    f->next);
-        f->end[1] = f->content.end;
+        ovr_fourth_content_evaluate(sim, &f->content, c, 0, f->F, f->next);
         if (T > 0)
             ovr_fourth_content_third(sim, &f->content, T, dT, f->third);
         return;
     }
-    evaluate_in_space(sim, f);
+    ovr_fourth_evaluate(&sim->grids, c, 0,
+                        sim->histories.backward && !sim->histories.mirrored);
+    ovr_nodes_read(sim, sim->finest, c->F, f->F);
+    ovr_nodes_read(sim, sim->finest, c->gap, f->next);
     if (!ovr_inflow_third(sim, sim->now.q, T, dT, f->third))
         memset(f->third, 0, f->n * sizeof *f->third);
     fade(sim, f, mask);
-}
-
-/* The part of R that is independent of the step is computed in two parts, with
- * F of the steady film and with that of a step. */
-static void begin_constant(const ovr_simulation *sim, fourth *f)
-{
-    double D = ovr_mesh(sim),
-           Cu = fabs(ovr_history_value(sim->histories.speed, 0));
-    const double *q = sim->now.q;
-    memcpy(f->start, q, f->n * sizeof *q);
-    for (size_t i = 2; i < f->n; i++)
-        f->constant[i] = f->F[i] +
-                         Cu * (1.5 * q[i] - 2 * q[i - 1] + 0.5 * q[i - 2]) / D;
-}
-
-static void end_constant(fourth *f)
-{
-    for (size_t i = 2; i < f->n; i++)
-        f->constant[i] -= f->F[i];
-    f->end[0] = f->end[1];
-}
-
-/* Computes the constant part of R for the film without moving features, which
- * has just been solved. */
-static void store_standing(ovr_simulation *sim, fourth *f)
-{
-    double *F = ovr_work_take(sim);
-    memcpy(F, f->F, f->n * sizeof *F);
-    ovr_simulation_read(sim);
-    begin_constant(sim, f);
-    evaluate_in_space(sim, f);
-    fade(sim, f, f->mask);
-    end_constant(f);
-    memcpy(f->F, F, f->n * sizeof *F);
-    ovr_work_give(sim, F);
-    f->stored = true;
-}
-
-/* Solves for the surfaces at T = 0. */
-static ovr_defect solve(ovr_simulation *sim, void *own, const ovr_full *how,
-                        int *cycles)
-{
-    fourth *f = own;
-    withdraw(sim, f);
-    f->follows = f->rests = f->ahead = f->stored = false;
-    if (applies(sim) && !ovr_conserves(sim)) /* otherwise after mass-conserving
-                                              * cavitation is enabled */
-        sim->order = 4;
-    if (sim->order == 4 && has_moving_features(sim)) {
-        standing_gap(sim);
-        solve_and_correct(sim, f, how, cycles);
-        if (sim->order == 4 && sim->scheme->characteristic)
-            store_standing(sim, f);
-        ovr_simulation_gap(sim, 0);
-        sim->start.refinements = 0;
-        if (sim->order == 4)
-            return solve_corrected(sim, f, how, cycles);
-    }
-    ovr_simulation_gap(sim, 0);
-    return solve_and_correct(sim, f, how, cycles);
 }
 
 /* Before the first step the state was steady: values for steps of one mesh
@@ -543,21 +482,21 @@ static void begin(ovr_simulation *sim, void *own)
 {
     fourth *f = own;
     double D = ovr_mesh(sim),
-           Cu = fabs(ovr_history_value(sim->histories.speed, 0)),
-           dT = D / fmax(Cu, OVR_MIN_START);
+           Cu = fabs(ovr_history_value(sim->histories.speed, 0));
+    const double *q = sim->now.q;
     f->follows = sim->order == 4 && sim->scheme->characteristic;
     f->ahead = false;
-    f->rests = f->follows && (f->stored || !has_moving_features(sim));
+    f->rests = f->follows && !varies(sim) && !has_moving_features(sim);
     f->rest_dT = 0;
     if (!f->follows)
         return;
-    if (f->stored) {
-        evaluate(sim, f, 0, dT, NULL);
-        return;
-    }
-    begin_constant(sim, f);
-    evaluate(sim, f, 0, dT, f->mask);
-    end_constant(f);
+    memcpy(f->start, q, f->n * sizeof *q);
+    for (size_t i = 2; i < f->n; i++)
+        f->constant[i] = f->F[i] +
+                         Cu * (1.5 * q[i] - 2 * q[i - 1] + 0.5 * q[i - 2]) / D;
+    evaluate(sim, f, 0, D / fmax(Cu, OVR_MIN_START), f->mask);
+    for (size_t i = 2; i < f->n; i++)
+        f->constant[i] -= f->F[i];
 }
 
 /* Computes R for a step dT. */
@@ -586,28 +525,6 @@ static void rest(ovr_simulation *sim, fourth *f, double dT)
     }
     f->rest_dT = dT;
     ovr_work_give(sim, more);
-}
-
-/* Sets the factor on R for the step to T. R at the pressure spike changes
- * within a mesh size. Therefore the factor decreases with the distance of the
- * film end from that of q_s. If the operating conditions vary, R is omitted
- * after it has been 0. A change of the speed by 1 % also makes it 0. */
-static void weight_rest(const ovr_simulation *sim, fourth *f, double T)
-{
-    const ovr_history *speed = sim->histories.speed;
-    const double most = 0.01;
-    bool change = varies(sim);
-    f->near = 1;
-    if (change || !ovr_conserves(sim))
-        f->near -= fabs(f->end[1] - f->end[0]);
-    if (change)
-        f->near -= fabs(ovr_history_value(speed, T) /
-                            ovr_history_value(speed, 0) -
-                        1) /
-                   most;
-    f->near = fmax(f->near, 0);
-    if (change && f->near == 0)
-        f->rests = false;
 }
 
 /* Computes the third difference for a first step dT, from stored contents, so
@@ -640,8 +557,6 @@ static void before_step(ovr_simulation *sim, void *own, double T)
         ovr_fourth_content_begin(sim, &f->content, dT, f->third);
     else if (f->follows && !(old > 0))
         third_at_start(sim, f, dT);
-    if (f->rests)
-        weight_rest(sim, f, T);
     if (f->rests && reaches && fabs(dT - f->rest_dT) > 1e-9 * dT)
         rest(sim, f, dT);
     else if (f->rests && !reaches)
@@ -667,27 +582,14 @@ static void add(const ovr_simulation *sim, size_t n, double *to, double factor,
         sim->grids.kernels->combine(n, 1, to, factor, what, to);
 }
 
-/* Adds R, weighted at the outlet; with mass-conserving cavitation everywhere,
- * so that it remains a difference of flows. */
-static void add_rest(const ovr_simulation *sim, const fourth *f, double sign,
-                     double *F)
-{
-    const double outlet = sim->histories.backward ? -1 : 1;
-    const bool all = ovr_conserves(sim);
-    for (size_t i = 0; i < f->n; i++) {
-        bool weighted = all || outlet * sim->now.X[i] > 0;
-        F[i] += sign * (weighted ? f->near : 1) * f->rest[i];
-    }
-}
-
 static void add_all(const ovr_simulation *sim, const fourth *f, double sign,
                     double *F)
 {
     add(sim, f->n, F, sign, f->F);
     if (f->follows)
         add(sim, f->n, F, sign * f->factor, f->third);
-    if (f->rests && sim->order == 4)
-        add_rest(sim, f, sign, F);
+    if (f->rests)
+        add(sim, f->n, F, sign, f->rest);
 }
 
 bool ovr_fourth_follows(const ovr_simulation *sim)
@@ -757,7 +659,6 @@ static void visit(ovr_simulation *sim, void *own, ovr_pieces *state)
         /* valid if the step length is the same except for rounding */
         ovr_show(state, "rest", f->rest, bytes);
         OVR_SHOW(state, "rest_dT", f->rest_dT);
-        OVR_SHOW(state, "rest_end", f->end);
         if (ovr_conserves(sim))
             ovr_show(state, "rest_begun", f->content.begun, bytes);
     }

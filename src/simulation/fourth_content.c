@@ -69,7 +69,6 @@ static void fade(const ovr_simulation *sim, ovr_fourth_content *of)
     const double begins = 8, ends = 4;
     const film f = film_of(sim);
     size_t n = sim->now.n;
-    of->end = f.end;
     for (size_t i = 0; i < n; i++) {
         bool inside = i >= OVR_FOURTH_MARGIN && i + OVR_FOURTH_MARGIN < n;
         of->begun[i] = inside ? away((double)i - f.begin, begins) : 0;

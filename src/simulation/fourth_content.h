@@ -39,7 +39,6 @@ typedef struct ovr_fourth_content {
     double *flux, *excess; /* m, f, phi */
     double *bend;          /* G */
     double *workspace[2];
-    double end; /* position of the film end in mesh sizes */
 } ovr_fourth_content;
 
 ovr_status ovr_fourth_content_take(ovr_simulation *sim, ovr_fourth_content *of,
