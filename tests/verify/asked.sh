@@ -96,9 +96,9 @@ asked_for_slopes() {
         fail "$name: elasticity $told, from $at_low to $at_high by two runs"
     expect 0 "$OVERROLL" run "$name.ini" --estimate-error --json -q
     same=$(echo "$quantity" | sed 's/central_film_m/H_cen/; s/_m$//; s/_Pa$//')
-    # a pressure that the meshes see differently has none, and is told so
-    grep -q "\"P_max_overall_error_relative\": null" out &&
-        [ "$same" = P_max_overall ] ||
+    # without a known order of convergence there is none, with a warning
+    grep -q "\"${same}_error_relative\": null" out &&
+        grep -q "$same: no error estimate, because the values" out ||
         holds 'e > 0 && e < 1' e="$(number "${same}_error_relative" out)" ||
         fail "$name: no error of $same: $(grep error out)"
     echo "$name: $quantity is $value at $found, elasticity ${told:-left out}"
