@@ -113,13 +113,13 @@ static double march(const char *text, int *marked)
 /* Rolling and sliding: no more cycles than without layers by 10 %, and no step
  * that does not belong together.  Of second order that holds for each of them.
  * Of fourth two of sixty are above, one by its steady start, one by steps that
- * fail at a spike a mesh wide, and a limit cycle of the corrections would
- * double them: 1.25 for each.
+ * fail at a spike a mesh wide. Steps of two mesh sizes that fail are halved,
+ * which at most doubles the cycles of a step: 2 for each.
  */
 void test_coated_dents(int dents, int order)
 {
     static const double slides[] = {0, 0, 0.5, -1};
-    const double limit = order == 2 ? 1.1 : 1.25;
+    const double limit = order == 2 ? 1.1 : 2;
     uint64_t seed = 7;
     double all = 0;
     int off = 0;

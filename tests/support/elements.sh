@@ -154,6 +154,9 @@ march_elements() {
         set -- --set lubricant.rheology=eyring \
             --set lubricant.eyring_stress=5MPa --set heat.model=lobatto \
             --set heat.temperature=90degC
+        # On level 6 (M = 0.77, D = 0.1 b) its temperatures do not converge
+        # with the logarithmic mean between nodes.
+        [ $number -ne 17 ] || set -- "$@" --set domain.level=7
         marched "$kind $number, heat" one.ini --force -o one.h5 "$@"
         rough_case rough.ini "$kind" "$(roughness out)"
         marched "$kind $number, all" rough.ini --force -o rough.h5 "$@"
