@@ -425,6 +425,9 @@ typedef struct ovr_statistics {
     bool P_max_unresolved;  /* the maximum of P_max is not resolved */
     double P_unresolved, X_unresolved,
         T_unresolved; /* largest P_unresolved, its position and time */
+    double T_max_finer, T_T_max_finer; /* heat: largest T_max_finer, its time */
+    double defect_at_T_max; /* energy_defect at the time of the maximum of
+                               T_max_rise */
     ovr_observation extreme, where, when, mean;
     double H_mean_at_H_min; /* mean film thickness in |X| < 3/4 at the time of
                                the minimum of H_min_located */

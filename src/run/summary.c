@@ -57,6 +57,14 @@ static void report_predicted(const ovr_report_sink *to,
                 .text);
 }
 
+/* True if row is the maximum temperature and the grid does not resolve it. */
+static bool is_unresolved_rise(const ovr_observable *row,
+                               const ovr_statistics *total)
+{
+    return row->offset == offsetof(ovr_observation, T_max_rise) &&
+           !ovr_heat_maximum_is_resolved(total);
+}
+
 /* Returns the remark on a pressure that the mesh does not resolve. */
 static const char *unresolved(const ovr_observable *row, bool maximum,
                               bool spike)
@@ -120,6 +128,8 @@ static void report_extreme(const ovr_report_sink *to, const ovr_extreme *e,
     ovr_words remark = {""};
     ovr_words_add(&remark, "%s",
                   unresolved(row, mean || !total->P_max_unresolved, true));
+    if (!mean && is_unresolved_rise(row, total))
+        ovr_words_add(&remark, "not resolved");
     if (ovr_extreme_is_flagged(e, total))
         ovr_words_add(&remark, "%sflagged step", *remark.text ? "; " : "");
     behind = ovr_words_columns(value, row, X, T, contact, remark.text);
@@ -395,7 +405,9 @@ void ovr_run_report(const ovr_run_info *s, ovr_summary_taker *take, void *data)
     if (ovr_setup_heat(s->setup))
         ovr_put(&to, "T_max_resolved", OVR_SUMMARY_FLAG,
                 s->converged &&
-                    ovr_heat_is_resolved(ovr_simulation_observation(s->sim)));
+                    ovr_heat_is_resolved(ovr_simulation_observation(s->sim)) &&
+                    ovr_heat_maximum_is_resolved(
+                        ovr_simulation_statistics(s->sim)));
     ovr_put_number(&to, "shear_over_pressure", s->shear_over_pressure);
     ovr_put_number(&to, "unbearable_share", s->unbearable_share);
     if (s->passes)

@@ -436,6 +436,12 @@ void ovr_statistics_take(ovr_statistics *s, const ovr_observation *o,
         s->X_unresolved = o->X_unresolved;
         s->T_unresolved = o->T;
     }
+    if (first || o->T_max_finer > s->T_max_finer) {
+        s->T_max_finer = o->T_max_finer;
+        s->T_T_max_finer = o->T;
+    }
+    if (first || s->when.T_max_rise == o->T)
+        s->defect_at_T_max = o->energy_defect;
     s->P_max_unresolved = !ovr_is_resolved(s->extreme.P_max, s->P_unresolved);
     if (o->marked)
         ovr_statistics_flag(s, o);

@@ -297,6 +297,21 @@ expect 0 "$OVERROLL" steady narrow.ini --json --level 10
 fine=$(rise out)
 awk "BEGIN {exit !($narrow < 0.9*$fine)}" ||
     fail "a rise of $narrow K is marked, on level 10 it is $fine K"
+# A run whose last film is resolved, the hottest one is not
+{
+    cat narrow.ini
+    cat <<'END'
+[time]
+end = 4
+[speed]
+history = ramp
+to = 0.4
+start = 0.5
+duration = 1
+END
+} >slower.ini
+expect 0 "$OVERROLL" run slower.ini --json --set contact.slide_to_roll=0
+contains out '"T_max_resolved": false'
 # An Eyring lubricant has no such peak
 expect 0 "$OVERROLL" steady narrow.ini --json --set lubricant.rheology=eyring \
     --set lubricant.eyring_stress=5MPa

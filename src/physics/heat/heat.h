@@ -29,6 +29,9 @@ ovr_status ovr_heat_resolve(const ovr_physics_case *of, void *form, bool *on,
  * T_max_rise. */
 bool ovr_heat_is_resolved(const ovr_observation *o);
 
+/* The same of the maximum temperature of a run. */
+bool ovr_heat_maximum_is_resolved(const ovr_statistics *s);
+
 /* The heat parameters of a setup, which can still be changed; NULL: no heat. */
 ovr_heat *ovr_setup_heat(const ovr_setup *setup);
 

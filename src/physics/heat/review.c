@@ -112,43 +112,62 @@ static void warn_of_lag(const ovr_accompanied_run *run)
 
 static const double negligible = 1; /* temperature rise, K */
 
-static bool is_balanced(const ovr_observation *o)
+static bool is_balanced(double energy_defect, double rise)
 {
     const double maximum = 0.05;
-    return !(o->converged && fabs(o->energy_defect) > maximum &&
-             o->T_max_rise > negligible);
+    return !(fabs(energy_defect) > maximum && rise > negligible);
 }
 
 /* False if finer grids would give a maximum film temperature that is higher by
  * more than 10 %. */
-static bool is_peak_resolved(const ovr_observation *o)
+static bool is_peak_resolved(double finer, double rise)
 {
-    return !(o->converged && o->T_max_finer > 1.1 * o->T_max_rise &&
-             o->T_max_finer > negligible);
+    return !(finer > 1.1 * rise && finer > negligible);
 }
 
 bool ovr_heat_is_resolved(const ovr_observation *o)
 {
-    return is_balanced(o) && is_peak_resolved(o);
+    return !o->converged || (is_balanced(o->energy_defect, o->T_max_rise) &&
+                             is_peak_resolved(o->T_max_finer, o->T_max_rise));
 }
 
-/* Warns of temperatures that are not resolved at the end of the run. */
+bool ovr_heat_maximum_is_resolved(const ovr_statistics *s)
+{
+    double rise = s->extreme.T_max_rise;
+    return is_balanced(s->defect_at_T_max, rise) &&
+           is_peak_resolved(s->T_max_finer, rise);
+}
+
+static void warn_of_imbalance(const ovr_accompanied_run *run, double T,
+                              double energy_defect)
+{
+    ovr_warn(run->say, run->listener,
+             "heat: temperatures are not resolved, because the energy balance "
+             "of the film at T = %.4g has an error of %.0f %%; use a finer "
+             "grid (domain.level = %d)",
+             T, 100 * fabs(energy_defect), run->setup->options->level + 1);
+}
+
+/* Warns of temperatures that are not resolved, at the end of the run or at the
+ * maximum of the run. */
 static void warn_of_resolution(const ovr_accompanied_run *run)
 {
     const ovr_observation *o = ovr_simulation_observation(run->sim);
-    if (!is_balanced(o))
-        ovr_warn(
-            run->say, run->listener,
-            "heat: temperatures are not resolved, because the energy balance "
-            "of the film at T = %.4g has an error of %.0f %%; use a finer grid "
-            "(domain.level = %d)",
-            o->T, 100 * fabs(o->energy_defect), run->setup->options->level + 1);
-    else if (!is_peak_resolved(o))
+    const ovr_statistics *s = ovr_simulation_statistics(run->sim);
+    double rise = s->extreme.T_max_rise;
+    bool last = !ovr_heat_is_resolved(o);
+    if (!last && ovr_heat_maximum_is_resolved(s))
+        return;
+    if (last && !is_balanced(o->energy_defect, o->T_max_rise))
+        warn_of_imbalance(run, o->T, o->energy_defect);
+    else if (!is_balanced(s->defect_at_T_max, rise))
+        warn_of_imbalance(run, s->when.T_max_rise, s->defect_at_T_max);
+    else
         ovr_warn(run->say, run->listener,
                  "heat: the maximum film temperature is not resolved, because "
                  "a peak of temperature at T = %.4g is only a few nodes wide "
                  "and higher on finer grids; use a finer grid (domain.level)",
-                 o->T);
+                 last ? o->T : s->T_T_max_finer);
 }
 
 /* Warns by x of heated.h if there are too few points across the film; prints
