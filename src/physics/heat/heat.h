@@ -29,7 +29,7 @@ ovr_status ovr_heat_resolve(const ovr_physics_case *of, void *form, bool *on,
  * T_max_rise. */
 bool ovr_heat_is_resolved(const ovr_observation *o);
 
-/* The same of the maximum temperature of a run. */
+/* False if the grid does not resolve the maximum temperature of a run. */
 bool ovr_heat_maximum_is_resolved(const ovr_statistics *s);
 
 /* The heat parameters of a setup, which can still be changed; NULL: no heat. */
