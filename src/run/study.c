@@ -45,6 +45,26 @@ ovr_status ovr_study_unknown(const ovr_study *s, const ovr_study_words *words,
     return meant ? ovr_fail_meant(err, OVR_BAD_INPUT, meant) : OVR_BAD_INPUT;
 }
 
+/* Returns the row of a key "contact.KEY" or "lubricant.KEY" if both sections
+ * have it and it sets the same number, otherwise NULL. */
+static const ovr_parameter *row_with_two_names(const char *where)
+{
+    const char *key = strchr(where, '.');
+    const ovr_parameter *a, *b;
+    if (!key || (strncmp(where, "contact.", 8) != 0 &&
+                 strncmp(where, "lubricant.", 10) != 0))
+        return NULL;
+    a = ovr_parameter_find(ovr_section_find("contact"), key + 1);
+    b = ovr_parameter_find(ovr_section_find("lubricant"), key + 1);
+    return a && b && a->place == b->place ? a : NULL;
+}
+
+static bool is_same_quantity(const char *a, const char *b)
+{
+    const ovr_parameter *row = row_with_two_names(a);
+    return !strcmp(a, b) || (row && row == row_with_two_names(b));
+}
+
 ovr_study_key *ovr_study_new_key(ovr_study *s, const char *where, long line,
                                  ovr_error *err)
 {
@@ -53,8 +73,11 @@ ovr_study_key *ovr_study_new_key(ovr_study *s, const char *where, long line,
                             ? "'%.60s': a study has at most 64 keys"
                             : NULL;
     for (size_t i = 0; !wrong && i < s->keys; i++)
-        if (!strcmp(s->key[i].where, where))
-            wrong = "'%.60s' is given twice";
+        if (is_same_quantity(s->key[i].where, where))
+            wrong = strcmp(s->key[i].where, where)
+                        ? "'%.60s' is given twice, in [contact] and in "
+                          "[lubricant]"
+                        : "'%.60s' is given twice";
     if (wrong) {
         ovr_fail_at(err, OVR_BAD_INPUT, s->path, line, wrong, where);
         return NULL;

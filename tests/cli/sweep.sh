@@ -165,6 +165,9 @@ wrong '^wrong.ini:2: .*value of the list is missing' \
 wrong "did you mean 'product'" '[prodct]' ''
 wrong "did you mean 'output'" '[study]' 'outptu = a'
 wrong 'given twice' '[product]' 'contact.M = 1, 1'
+wrong "'contact.alpha' is given twice, in .contact. and in .lubricant." \
+    '[product]' 'lubricant.alpha = 15 1/GPa, 20 1/GPa
+contact.alpha = 10 1/GPa, 12 1/GPa'
 wrong 'must come before' 'contact.M = 1, 1' ''
 wrong 'none.ini: ' '[study]' 'case = none.ini'
 wrong 'more than a million|must be' '[product]' 'feature.a.seed = 1..1000002'
