@@ -65,7 +65,10 @@ static void try(tally *t, uint64_t seed)
     ovr_simulation *sim = ovr_setup_simulation(setup, NULL, &err);
     assert_non_null(sim);
     ovr_status start = ovr_simulation_steady(sim, &err);
-    bool resolved = ovr_heat_is_resolved(ovr_simulation_observation(sim));
+    /* A maximum in a narrow peak of temperature is marked, too, but the film
+     * does not depend on it. */
+    const ovr_observation *o = ovr_simulation_observation(sim);
+    bool resolved = !(fabs(o->energy_defect) > 0.05 && o->T_max_rise > 1);
     ovr_status status = start ? start : march(sim, setup->march, &moved, &err);
     const ovr_statistics *s = ovr_simulation_statistics(sim);
     t->runs++;
@@ -83,7 +86,7 @@ static void try(tally *t, uint64_t seed)
     if (status || moved > much || s->marked || !resolved)
         print_message("    seed %llu: moved %.1e, %ld marked%s%s%s\n%s",
                       (unsigned long long)seed, moved, s->marked,
-                      resolved ? "" : ", temperatures not resolved",
+                      resolved ? "" : ", energy balance off",
                       status ? ": " : "", status ? err.message : "",
                       drawn.text);
     ovr_simulation_free(sim);
@@ -97,7 +100,7 @@ void test_stays_survey(uint64_t seed, int runs)
     for (int k = 0; k < runs; k++)
         try(&t, seed + (uint64_t)k);
     print_message("    seeds %llu on: %d runs, %d without a start, %d failed, "
-                  "%d with marked steps, %d with unresolved temperatures, %d "
+                  "%d with marked steps, %d with an energy balance off, %d "
                   "moved, %.1e the most; %ld steps, %.2f cycles each, %ld "
                   "retries\n",
                   (unsigned long long)seed, t.runs, t.startless, t.failed,
