@@ -4,7 +4,6 @@
 #include <math.h>
 
 #include "overroll/case.h"
-#include "physics/heat/heat.h"
 #include "random_case.h"
 #include "simulation/simulation.h"
 #include "test.h"
