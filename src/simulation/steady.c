@@ -422,6 +422,7 @@ double ovr_minute_of_work(const ovr_simulation *sim)
  * thermal contacts with slide-to-roll ratios of 2 to 6 take 300 cycles on
  * average. Stationary rough surfaces and grids that do not resolve the inlet
  * need up to 14000 (time predicted by `check`: 320 and 1000 steps of 3 cycles).
+ * Supplies of more than 0.99 of the flooded flow rate need up to 13000.
  */
 static double largest_work(const ovr_simulation *sim, bool rough)
 {
@@ -432,6 +433,8 @@ static double largest_work(const ovr_simulation *sim, bool rough)
     double start = 2e6, cycles = 1300;
     if (!resolved || rough)
         cycles = resolved ? 25000 : 65000;
+    else if (ovr_conserves(sim))
+        cycles = 25000;
     else if (sim->heated)
         cycles = 6000;
     return fmin(ovr_minute_of_work(sim), start + cycles * cycle);

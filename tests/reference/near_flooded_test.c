@@ -172,3 +172,16 @@ TEST(on_finer_levels)
         assert_int_equal(way, 1);
     }
 }
+
+/* Nearer to the flooded flow rate, iterations take up to 13000 mesh cycles,
+ * which the limit of work allows. */
+TEST(with_much_work)
+{
+    static const double L[] = {2.5, 10};
+    static const double share[] = {0.999, 0.995};
+    for (int k = 0; k < 2; k++) {
+        ovr_error err = {0};
+        int way = 0;
+        CHECK_OK(test_starve(100, L[k], 7, share[k], &way, &err), &err);
+    }
+}
