@@ -371,8 +371,8 @@ static ovr_status choose(ovr_profile *p, const ovr_profile_source *s,
     return choose_default(p, s->band, chosen, err);
 }
 
-/* Distances along rows and columns are comparable; otherwise lines in oblique
- * directions have too many points. */
+/* Rejects spacings so different that a line in an oblique direction would have
+ * too many points. */
 static ovr_status check_spacings(const ovr_profile *p, ovr_error *err)
 {
     const double factor = 1e6, dx = p->map.dx, dy = p->map.dy;

@@ -6,18 +6,19 @@
 #include <stdint.h>
 
 /*
- * `runs` cases from a seed on: a contact of plausible numbers or of extreme
- * ones, and up to twelve keys of any section, set to any of their words, to a
- * usual number, or to one anywhere in their range; what is refused is left out;
- * in SI units where it has one, to files and lists (only levels, ends and the
- * names of results are the survey's own).  Steady or 0.5 b/um long, on level 5,
- * of 40 steps at most.  Each is solved or fails in a sentence; the fields of
- * what was solved are finite, its summary holds no infinite number and its
- * messages no word for one; and what is called converged carries its load to
- * 1e-4, and keeps its oil to 1e-2: a step may leave R = 1e-3 on any mesh, and
- * rounding of extreme contacts some times that.
- * Steady ones are solved again on levels 7 and 8: of those that tell an error
- * not more than 3 in 100 differ by more than that.
+ * Runs cases of consecutive seeds. Each has a contact of plausible or extreme
+ * numbers and up to twelve keys of any section.  A key is one of its words, a
+ * usual number or a number anywhere in its range, in SI units if it has any, or
+ * a file or list.  Levels, end times and names of results are set by the
+ * survey.  Refused cases are left out.  Runs are steady or 0.5 b/um long, on
+ * level 5, of at most 40 steps.
+ *
+ * A case is solved or fails with a message.  Fields of solved cases are finite,
+ * and neither summary nor messages have numbers that are not.  Converged films
+ * carry their load to 1e-4 and conserve lubricant to 1e-2: a step may leave R =
+ * 1e-3 on any mesh, and rounding of extreme contacts several times that.
+ * Steady cases are solved again on levels 7 and 8. Of those with an expected
+ * error at most 3 in 100 may differ by more than it.
  */
 void test_any_case_survey(uint64_t seed, int runs);
 

@@ -110,11 +110,12 @@ static double march(const char *text, int *marked)
     return rate;
 }
 
-/* Rolling and sliding: no more cycles than without layers by 10 %, and no step
- * that does not belong together.  Of second order that holds for each of them.
- * Of fourth two of sixty are above, one by its steady start, one by steps that
- * fail at a spike a mesh wide. Steps of two mesh sizes that fail are halved,
- * which at most doubles the cycles of a step: 2 for each.
+/* Rolling and sliding dents: no more flagged steps than without layers, and at
+ * most 10 % more cycles. At second order this holds for each dent. At fourth
+ * order two of sixty need more: one in its steady start, one in steps that fail
+ * at a spike of one mesh size. Steps of two mesh sizes that fail are halved,
+ * which at most doubles the cycles of a step. Therefore each may need twice as
+ * many.
  */
 void test_coated_dents(int dents, int order)
 {

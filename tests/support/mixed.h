@@ -12,7 +12,7 @@
  * third each); a dent, bump or ridge (0.7) and roughness (0.6) on each
  * surface; load (0.7 to 1.4), speed (0.5 to 2) and sliding along ramps, sines
  * and jumps; steps of D, of 0.02 or adaptive; stresses (1/5). No run may fail
- * unless its message says that surfaces touch, and at most 3 % may have
+ * unless surfaces touch, as its message must state, and at most 3 % may have
  * flagged steps. A tenth of the hot films whose load, speed or sliding varies
  * may have more, with the message that temperatures lag: the film changes much
  * within a step if load or sliding jumps or sliding passes through zero. */

@@ -372,9 +372,9 @@ TEST_IN_FOLDER(believes_no_size)
     close_file(&l);
 }
 
-/* A block that is said to lie at 0 and to have no bytes is none, before others
- * were read and after; one that was read is there again by its address, but
- * neither by another length nor by other letters. */
+/* A block at address 0 without bytes is rejected, before and after other blocks
+ * were read. A block that was read is found again by its address, but not with
+ * another length or other letters. */
 TEST_IN_FOLDER(rejects_empty_blocks)
 {
     const char *path = test_path(*state, "blocks.h5");

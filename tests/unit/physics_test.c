@@ -175,8 +175,8 @@ TEST(layer_deforms_under_pressure)
     release(&s);
 }
 
-/* The same over a length: a part of the influence that MLMI sums with the
- * logarithm, as exactly as that where it is some meshes of the coarsest
+/* The same over a length. MLMI sums this part of the influence with the
+ * logarithm, and as exactly where it is several mesh sizes of the coarsest
  * transfer long. */
 TEST(layer_deforms_over_a_length)
 {
@@ -229,9 +229,10 @@ static int cycles_on_the_finest(const solution *s)
     return count ? r[count - 1].cycles : 0;
 }
 
-/* Smoothers, coarse grids and Newton know its influence: about as many cycles
- * as without it.  (On the way up it takes more: the first guess is a contact of
- * half-spaces, whose film by the gap's mean is come to by steps in load.) */
+/* Smoothers, coarse grids and Newton's method include its influence, so that
+ * about as many cycles are needed as without it. Nested iteration needs more,
+ * because the first guess is a contact of half-spaces, from which steps in load
+ * lead to the film with faces = gap. */
 TEST(cycles_stay_as_many)
 {
     solution hard = solve(""), s = solve(soft);
