@@ -200,13 +200,16 @@ ovr_status ovr_failure_steady(const ovr_simulation *sim,
             return OVR_NOT_CONVERGED;
     if (outcome->rough && surfaces_overlap(sim, &outcome->defect))
         return touching(sim, 0, err);
-    char limit[50], text[120];
+    char limit[50], text[120], tried[40] = "";
+    if (outcome->retries)
+        snprintf(tried, sizeof tried, " with any of %d strategies",
+                 outcome->retries + 1);
     instead_steady(sim, outcome->rough, sizeof text, text);
     return ovr_fail(err, OVR_NOT_CONVERGED,
-                    "the steady solution did not converge with any of %d "
-                    "strategies: %s after %d cycles (target %.1e)%s%s; %s",
-                    outcome->retries + 1, ending_of(&outcome->defect).words,
-                    outcome->cycles, tolerance, outcome->spent ? spent : "",
+                    "the steady solution did not converge%s: %s after %d "
+                    "cycles (target %.1e)%s%s; %s",
+                    tried, ending_of(&outcome->defect).words, outcome->cycles,
+                    tolerance, outcome->spent ? spent : "",
                     limit_of(sim, sizeof limit, limit), text);
 }
 

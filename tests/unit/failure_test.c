@@ -39,6 +39,24 @@ TEST(messages_of_diverged_solutions)
     ovr_simulation_free(sim);
 }
 
+/* Strategies are counted if there were several. */
+TEST(one_strategy_is_not_counted)
+{
+    ovr_error err = {0};
+    ovr_options o = test_options();
+    o.level = 6;
+    ovr_simulation *sim = test_simulation(20, 10, &o);
+    CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+    ovr_outcome end = {.defect = {1e-3, 1e-3, 0.1}, .cycles = 50};
+    ovr_failure_steady(sim, &end, 1e-5, &err);
+    CHECK_ERROR(&err, OVR_NOT_CONVERGED, "did not converge: relative mass");
+    end.retries = 1;
+    ovr_failure_steady(sim, &end, 1e-5, &err);
+    CHECK_ERROR(&err, OVR_NOT_CONVERGED,
+                "did not converge with any of 2 strategies: relative mass");
+    ovr_simulation_free(sim);
+}
+
 /* A plateau a thousand times as high as the film appears after T = 0. */
 static void plateau(void *data, double T, size_t n, const double *X, double *S)
 {
