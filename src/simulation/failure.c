@@ -216,19 +216,21 @@ ovr_status ovr_failure_steady(const ovr_simulation *sim,
 /* Suggests a remedy, from the contact at reference load and speed. */
 static void instead(const ovr_simulation *sim, size_t size, char *text)
 {
-    double H = ovr_film_central_moes(sim->contact.M, sim->contact.L);
+    static const char *const remedies[2][2] = {
+        {"; a finer domain.level or shear thinning (lubricant.rheology) may "
+         "help",
+         "; a finer domain.level may help"},
+        {"; lower features, a finer domain.level or shear thinning "
+         "(lubricant.rheology) may help",
+         "; lower features or a finer domain.level may help"}};
     const bool features = sim->shapes.heights != NULL;
     const bool thins = sim->target.fluid.lubricant.rheology != OVR_NEWTONIAN;
+    double H = ovr_film_central_moes(sim->contact.M, sim->contact.L);
     text[0] = '\0';
     OVR_EACH_PHYSICS(sim, p, in_step, advise)
         p->is->in_step->advise(sim, H, size, text);
     if (!*text)
-        snprintf(text, size, "; %s%sa finer domain.level%s may help",
-                 features ? "lower features" : "",
-                 !features ? ""
-                 : thins   ? " or "
-                           : ", ",
-                 thins ? "" : " or shear thinning (lubricant.rheology)");
+        snprintf(text, size, "%s", remedies[features][thins]);
 }
 
 ovr_status ovr_failure_step(const ovr_simulation *sim,

@@ -57,6 +57,49 @@ TEST(one_strategy_is_not_counted)
     ovr_simulation_free(sim);
 }
 
+static void flat(void *data, double T, size_t n, const double *X, double *S)
+{
+    (void)data, (void)T, (void)X;
+    for (size_t i = 0; i < n; i++)
+        S[i] = 0;
+}
+
+/* Lower features are suggested if there are features, shear thinning if the
+ * lubricant is Newtonian. */
+TEST(remedies_suit_the_contact)
+{
+    for (int features = 0; features < 2; features++)
+        for (int thins = 0; thins < 2; thins++) {
+            ovr_error err = {0};
+            ovr_options o = test_options();
+            o.level = 5;
+            test_contact t = test_contact_make(20, 10);
+            if (thins) {
+                t.lubricant.rheology = OVR_EYRING;
+                t.lubricant.Sigma0 = 0.5;
+            }
+            ovr_simulation *sim = ovr_simulation_create(
+                &t.contact, &t.lubricant, &o, NULL, &err);
+            assert_non_null(sim);
+            if (features)
+                ovr_simulation_surface(sim, flat, NULL);
+            CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+            ovr_outcome end = {.defect = {1e-3, 1e-3, 0.1}, .cycles = 50};
+            ovr_failure_step(sim, &end, 0.5, &err);
+            assert_int_equal(strstr(err.message, "lower features") != NULL,
+                             features);
+            assert_int_equal(strstr(err.message, "shear thinning") != NULL,
+                             !thins);
+            const char *last = strrchr(err.message, ';');
+            assert_non_null(last);
+            assert_non_null(strstr(last, "a finer domain.level"));
+            assert_non_null(strstr(last, " may help"));
+            assert_int_equal(strstr(last, ", ") != NULL, features && !thins);
+            assert_int_equal(strstr(last, " or ") != NULL, features || !thins);
+            ovr_simulation_free(sim);
+        }
+}
+
 /* A plateau a thousand times as high as the film appears after T = 0. */
 static void plateau(void *data, double T, size_t n, const double *X, double *S)
 {
