@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "overroll/case.h"
+#include "physics/heat/heat.h"
 #include "random_case.h"
 #include "simulation/simulation.h"
 #include "test.h"
@@ -67,7 +68,7 @@ static void try(tally *t, uint64_t seed)
     /* A maximum in a narrow peak of temperature is marked, too, but the film
      * does not depend on it. */
     const ovr_observation *o = ovr_simulation_observation(sim);
-    bool resolved = !(fabs(o->energy_defect) > 0.05 && o->T_max_rise > 1);
+    bool resolved = ovr_heat_is_balanced(o->energy_defect, o->T_max_rise);
     ovr_status status = start ? start : march(sim, setup->march, &moved, &err);
     const ovr_statistics *s = ovr_simulation_statistics(sim);
     t->runs++;

@@ -24,8 +24,12 @@ extern const ovr_section ovr_heat_section;
 ovr_status ovr_heat_resolve(const ovr_physics_case *of, void *form, bool *on,
                             ovr_error *err);
 
+/* False if the error of the energy balance exceeds 5 % in a film with a
+ * temperature rise above 1 K. */
+bool ovr_heat_is_balanced(double energy_defect, double rise);
+
 /* False if the grid does not resolve a converged film that is 1 K hotter than
- * its supply: energy_defect exceeds 0.05, or T_max_finer exceeds 1.1 times
+ * its supply: its energy is not balanced, or T_max_finer exceeds 1.1 times
  * T_max_rise. */
 bool ovr_heat_is_resolved(const ovr_observation *o);
 

@@ -112,7 +112,7 @@ static void warn_of_lag(const ovr_accompanied_run *run)
 
 static const double negligible = 1; /* temperature rise, K */
 
-static bool is_balanced(double energy_defect, double rise)
+bool ovr_heat_is_balanced(double energy_defect, double rise)
 {
     const double maximum = 0.05;
     return !(fabs(energy_defect) > maximum && rise > negligible);
@@ -127,14 +127,15 @@ static bool is_peak_resolved(double finer, double rise)
 
 bool ovr_heat_is_resolved(const ovr_observation *o)
 {
-    return !o->converged || (is_balanced(o->energy_defect, o->T_max_rise) &&
-                             is_peak_resolved(o->T_max_finer, o->T_max_rise));
+    return !o->converged ||
+           (ovr_heat_is_balanced(o->energy_defect, o->T_max_rise) &&
+            is_peak_resolved(o->T_max_finer, o->T_max_rise));
 }
 
 bool ovr_heat_maximum_is_resolved(const ovr_statistics *s)
 {
     double rise = s->extreme.T_max_rise;
-    return is_balanced(s->defect_at_T_max, rise) &&
+    return ovr_heat_is_balanced(s->defect_at_T_max, rise) &&
            is_peak_resolved(s->T_max_finer, rise);
 }
 
@@ -158,9 +159,9 @@ static void warn_of_resolution(const ovr_accompanied_run *run)
     bool last = !ovr_heat_is_resolved(o);
     if (!last && ovr_heat_maximum_is_resolved(s))
         return;
-    if (last && !is_balanced(o->energy_defect, o->T_max_rise))
+    if (last && !ovr_heat_is_balanced(o->energy_defect, o->T_max_rise))
         warn_of_imbalance(run, o->T, o->energy_defect);
-    else if (!is_balanced(s->defect_at_T_max, rise))
+    else if (!ovr_heat_is_balanced(s->defect_at_T_max, rise))
         warn_of_imbalance(run, s->when.T_max_rise, s->defect_at_T_max);
     else
         ovr_warn(run->say, run->listener,
