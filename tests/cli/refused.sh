@@ -135,6 +135,18 @@ echo 'window = -1e6, 1e6' | cat plain.ini - >material.ini
 sed -i 's/^level.*/level = 7/' material.ini
 both_refuse '^material.ini:7: a window of -1e.06 to 1e.06 b has .* points' \
     material.ini
+expect 0 "$OVERROLL" init indented -o plastic.ini
+sed 's/^passes = .*/window = -200, 13.6/' plastic.ini >window.ini
+line=$(grep -n '^window' window.ini | cut -d: -f1)
+both_refuse "^window.ini:$line: window: -200 to 13.6 b .*: must be 213.5.* b" \
+    window.ini
+sed 's/^window = .*/window = -200, 13.5/' window.ini >fits.ini
+expect 0 "$OVERROLL" check fits.ini
+printf '%s\n' '[feature far]' 'shape = indent' 'depth = 1 um' 'width = 0.6' \
+    'start = -250' 'surface = 1' | cat plastic.ini - >far.ini
+line=$(grep -n '^\[plastic' far.ini | cut -d: -f1)
+both_refuse "^far.ini:$line: .* need a window .* plastic.window = FROM, TO" \
+    far.ini
 refuses '^--set: to: no node lies between 1.001 b and 1.002 b; .* 0.02455 b' \
     run plain.ini -o never.h5 --set output.from=1.001 \
     --set output.to=1.002

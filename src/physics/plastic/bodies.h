@@ -52,6 +52,9 @@ typedef struct ovr_plastic_plan {
 } ovr_plastic_plan;
 ovr_status ovr_plastic_planned(const ovr_setup *setup, int k,
                                ovr_plastic_plan *plan, ovr_error *err);
+
+/* Rejects windows that are too long for the mesh size of the setup. */
+ovr_status ovr_plastic_check(const ovr_setup *setup, ovr_error *err);
 void ovr_plastic_edges(const ovr_plastic_setup *how,
                        const ovr_plastic_plan *plan, double *edge);
 ovr_yielding_options ovr_plastic_options(const ovr_plastic_setup *how, int k,

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/rows.h"
 #include "case/setup.h"
+#include "physics/plastic/bodies.h"
 #include "physics/stress/stress.h"
 #include "simulation/conflicts.h"
 #include "stress/stress.h"
@@ -212,11 +213,11 @@ ovr_status ovr_plastic_on_mesh(const ovr_physics_case *of, void *form,
 {
     (void)form;
     (void)mesh;
-    return of->transient
-               ? OVR_OK
-               : ovr_fail_about(err, "plastic",
-                                "[plastic]: a steady contact has no stress "
-                                "history of the material; set time.end");
+    if (!of->transient)
+        return ovr_fail_about(err, "plastic",
+                              "[plastic]: a steady contact has no stress "
+                              "history of the material; set time.end");
+    return ovr_plastic_check(of->setup, err);
 }
 
 /* Number of passes: that of the case, or larger. */

@@ -12,29 +12,67 @@
 
 static const double margin = 1, min_window = 3, max_points = 65536;
 
+/* Window in b, relative to the reference point of the material. */
+typedef struct window {
+    double from, to;
+} window;
+
+/* Finds the window of the case, or that of the features, and checks the number
+ * of its points. */
+static ovr_status find_window(const ovr_setup *setup,
+                              const ovr_material_range *range, window *found,
+                              ovr_error *err)
+{
+    const ovr_plastic_setup *how = ovr_setup_plastic(setup);
+    const bool given = !isnan(how->from);
+    *found = given ? (window){how->from, how->to}
+                   : (window){range->from + margin, range->to - margin};
+    double length = found->to - found->from, largest = max_points * setup->mesh;
+    if (length <= largest)
+        return OVR_OK;
+    if (given)
+        return ovr_fail_about(err, "plastic.window",
+                              "window: %g to %g b has too many points of the "
+                              "mesh size %.4g b: must be %.4g b long at most "
+                              "(%.0f points)",
+                              found->from, found->to, setup->mesh, largest,
+                              max_points);
+    return ovr_fail_about(err, "plastic",
+                          "[plastic]: the features need a window of %.4g b, "
+                          "which is too long for the mesh size %.4g b; set "
+                          "plastic.window = FROM, TO, at most %.4g b long",
+                          length, setup->mesh, largest);
+}
+
+ovr_status ovr_plastic_check(const ovr_setup *setup, ovr_error *err)
+{
+    const ovr_plastic_setup *how = ovr_setup_plastic(setup);
+    for (int k = 0; k < 2; k++) {
+        ovr_stress_plan plan;
+        window found;
+        if (how->surfaces >> k & 1 &&
+            !ovr_stress_planned(setup, k + 1, ovr_stress_sight_of(setup), &plan,
+                                NULL) &&
+            find_window(setup, &plan.range, &found, err))
+            return OVR_BAD_INPUT;
+    }
+    return OVR_OK;
+}
+
 ovr_status ovr_plastic_planned(const ovr_setup *setup, int k,
                                ovr_plastic_plan *plan, ovr_error *err)
 {
     const ovr_plastic_setup *how = ovr_setup_plastic(setup);
     ovr_stress_plan *s = &plan->stress;
-    if (ovr_stress_planned(setup, k + 1, ovr_stress_sight_of(setup), s, err))
+    window of;
+    if (ovr_stress_planned(setup, k + 1, ovr_stress_sight_of(setup), s, err) ||
+        find_window(setup, &s->range, &of, err))
         return OVR_BAD_INPUT;
-    double from = s->range.from + margin, to = s->range.to - margin;
-    if (!isnan(how->from)) {
-        from = how->from;
-        to = how->to;
-    }
-    double middle = (from + to) / 2, length = fmax(to - from, min_window);
-    double D = setup->mesh;
+    double middle = (of.from + of.to) / 2, D = setup->mesh;
+    double length = fmax(of.to - of.from, min_window);
     plan->points = 256;
-    while ((double)plan->points * D < length &&
-           (double)plan->points < max_points)
+    while ((double)plan->points * D < length)
         plan->points *= 2;
-    if ((double)plan->points * D < length)
-        return ovr_fail_about(err, "window",
-                              "a window of %.3g b has more than %.0f points "
-                              "on this grid; set plastic.window = FROM, TO",
-                              length, max_points);
     plan->mesh = D;
     plan->layers = (size_t)fmax(1, fmin(how->layers, floor(how->depth / D)));
     plan->first = (round(middle / D) - 0.5 * (double)plan->points) * D;
