@@ -7,15 +7,17 @@
  *
  *     A(s) = (sum of z(r) z(r + s) over pairs) / (number of pairs) / Sq^2
  *
- * is the quotient of two transforms by FFT, of the heights and of the mask of
- * existing heights, padded with zeros. Grids of more than 256 points a side are
- * averaged over blocks first. r(t) is the distance in the direction t at which
- * A falls below 0.2, at most R, half the shorter side. Str = min r / max r. The
- * lay is the direction with the largest integral of A from 0 to R. For parallel
- * grooves its error is about half a degree.
+ * is computed by FFT of the heights, padded with zeros. The number of pairs is
+ * (nx - |i|)(ny - |j|) at a shift by i, j points, or the autocorrelation of the
+ * mask of existing heights if some are missing. Grids of more than 256 points a
+ * side are averaged over blocks first. r(t) is the distance in the direction t
+ * at which A falls below 0.2, at most R, half the shorter side. Str = min r /
+ * max r. The lay is the direction with the largest integral of A from 0 to R.
+ * For parallel grooves its error is about half a degree.
  */
 #include <gsl/gsl_fft_complex.h>
 #include <math.h>
+#include <stdlib.h>
 
 #include "base/error.h"
 #include "base/given.h"
@@ -108,23 +110,31 @@ typedef struct correlation {
     double dx, dy;
     double *heights; /* complex, cx cy elements: first of the heights, then of
                       * the products */
-    double *mask;    /* as `heights`, for the mask */
+    double *mask;    /* as `heights`, for the mask; NULL: no height is
+                      * missing */
     double zero;     /* value at zero shift */
 } correlation;
+
+/* Shifts are at most half the shorter side and the next point. */
+static size_t largest_shift(size_t n)
+{
+    return n / 2 + 2;
+}
 
 static size_t padded(size_t n)
 {
     size_t power = 2;
-    while (power < 2 * n)
+    while (power < n + largest_shift(n))
         power *= 2;
     return power;
 }
 
 /* Averages over blocks of bx by by points; blocks without heights get height 0
- * and mask 0. */
-static void fill(correlation *c, const ovr_areal *a, const plane *p, size_t bx,
-                 size_t by)
+ * and mask 0. Returns the number of blocks with heights. */
+static size_t fill(correlation *c, const ovr_areal *a, const plane *p,
+                   size_t bx, size_t by)
 {
+    size_t filled = 0;
     for (size_t j = 0; j < c->ny; j++)
         for (size_t i = 0; i < c->nx; i++) {
             double sum = 0, n = 0;
@@ -137,44 +147,57 @@ static void fill(correlation *c, const ovr_areal *a, const plane *p, size_t bx,
             if (n > 0) {
                 c->heights[2 * (j * c->cx + i)] = sum / n;
                 c->mask[2 * (j * c->cx + i)] = 1;
+                filled++;
             }
         }
+    return filled;
 }
 
-static void transform(double *data, size_t cx, size_t cy, bool back)
+/* Transforms the first `rows` rows, before or after all columns. */
+static void transform_rows(double *data, size_t cx, size_t rows, bool back)
 {
-    for (size_t k = 0; k < cx + cy; k++) {
-        bool row = k < cy;
-        double *at = data + 2 * (row ? k * cx : k - cy);
-        size_t stride = row ? 1 : cx, n = row ? cx : cy;
+    for (size_t j = 0; j < rows; j++)
         if (back)
-            gsl_fft_complex_radix2_backward(at, stride, n);
+            gsl_fft_complex_radix2_backward(data + 2 * j * cx, 1, cx);
         else
-            gsl_fft_complex_radix2_forward(at, stride, n);
-    }
+            gsl_fft_complex_radix2_forward(data + 2 * j * cx, 1, cx);
 }
 
-/* Computes the sums of products at all shifts, in the real parts. */
-static void correlate(double *data, size_t cx, size_t cy)
+static void transform_columns(double *data, size_t cx, size_t cy, bool back)
 {
-    transform(data, cx, cy, false);
+    for (size_t i = 0; i < cx; i++)
+        if (back)
+            gsl_fft_complex_radix2_backward(data + 2 * i, cx, cy);
+        else
+            gsl_fft_complex_radix2_forward(data + 2 * i, cx, cy);
+}
+
+/* Computes the sums of products, in the real parts, at all shifts that find_lay
+ * needs: none is towards smaller y. Rows from ny on are zero. */
+static void correlate(const correlation *c, double *data)
+{
+    size_t cx = c->cx, cy = c->cy;
+    transform_rows(data, cx, c->ny, false);
+    transform_columns(data, cx, cy, false);
     for (size_t k = 0; k < cx * cy; k++) {
         data[2 * k] = data[2 * k] * data[2 * k] +
                       data[2 * k + 1] * data[2 * k + 1];
         data[2 * k + 1] = 0;
     }
-    transform(data, cx, cy, true);
+    transform_columns(data, cx, cy, true);
+    transform_rows(data, cx, largest_shift(c->ny), true);
 }
 
-/* Returns the mean product at an integer shift of either sign. */
+/* Returns the mean product at an integer shift; j is not negative. */
 static double at_points(const correlation *c, long i, long j)
 {
     size_t u = (size_t)(i < 0 ? i + (long)c->cx : i);
-    size_t v = (size_t)(j < 0 ? j + (long)c->cy : j);
-    size_t k = 2 * (v * c->cx + u);
-    return c->mask[k] > 0.5 * (double)(c->cx * c->cy)
-               ? c->heights[k] / c->mask[k]
-               : 0;
+    size_t k = 2 * ((size_t)j * c->cx + u);
+    double all = (double)(c->cx * c->cy);
+    double pairs = (double)((long)c->nx - labs(i)) * (double)((long)c->ny - j);
+    if (c->mask)
+        pairs = c->mask[k] / all;
+    return pairs > 0.5 ? c->heights[k] / (all * pairs) : 0;
 }
 
 static double at_shift(const correlation *c, double x, double y)
@@ -250,9 +273,11 @@ static ovr_status measure_lay(const ovr_areal *a, const plane *p,
     c.mask = ovr_arena_take(arena, size, sizeof *c.mask, err);
     if (ovr_arena_status(arena))
         return OVR_NO_MEMORY;
-    fill(&c, a, p, bx, by);
-    correlate(c.heights, c.cx, c.cy);
-    correlate(c.mask, c.cx, c.cy);
+    if (fill(&c, a, p, bx, by) == c.nx * c.ny)
+        c.mask = NULL;
+    correlate(&c, c.heights);
+    if (c.mask)
+        correlate(&c, c.mask);
     c.zero = at_points(&c, 0, 0);
     if (c.zero > 0)
         find_lay(&c, numbers);

@@ -132,16 +132,38 @@ static size_t sampling(const series *s)
     return cheap > step ? cheap : step;
 }
 
-/* Returns the fraction of the variance that is filtered out. */
-static double part_lost(const series *s)
+/* Returns the filtered height at sample j; weight[k] is that of samples j - k
+ * and j + k. */
+static double filtered(const series *s, ptrdiff_t j, ptrdiff_t reach,
+                       const double *weight)
+{
+    double sum = weight[0] * sample(s, j), weights = weight[0];
+    for (ptrdiff_t k = 1; k <= reach; k++) {
+        sum += weight[k] * (sample(s, j - k) + sample(s, j + k));
+        weights += 2 * weight[k];
+    }
+    return sum / weights;
+}
+
+/* Computes the fraction of the variance that is filtered out. */
+static ovr_status find_lost(const series *s, double *part, ovr_arena *scratch,
+                            ovr_error *err)
 {
     size_t step = sampling(s);
+    ptrdiff_t reach = (ptrdiff_t)floor(s->reach / s->d);
     double total = variance(s->n, s->z), lost = 0, count = 0;
+    double *weight = ovr_arena_take(scratch, (size_t)reach + 1, sizeof *weight,
+                                    err);
+    if (!weight)
+        return OVR_NO_MEMORY;
+    for (ptrdiff_t k = 0; k <= reach; k++)
+        weight[k] = ovr_windowed_sinc((double)k * s->d, s->fc, s->reach);
     for (size_t j = 0; j < s->n; j += step, count++) {
-        double r = s->z[j] - band_limited(s, (double)j * s->d);
+        double r = s->z[j] - filtered(s, (ptrdiff_t)j, reach, weight);
         lost += r * r;
     }
-    return total > 0 ? lost / count / total : 0;
+    *part = total > 0 ? lost / count / total : 0;
+    return OVR_OK;
 }
 
 /* --------------------------------------------------------------- 3. table */
@@ -232,9 +254,10 @@ ovr_status ovr_resample(const ovr_points *profile, double mesh,
     if (!status) {
         s.fc = fmin(0.5 / s.d, 0.875 * 0.5 / mesh);
         s.reach = 24 * fmax(s.d, mesh);
-        table->lost = part_lost(&s);
-        status = tabulate(&s, ends, mesh, table, arena, err);
+        status = find_lost(&s, &table->lost, &scratch, err);
     }
+    if (!status)
+        status = tabulate(&s, ends, mesh, table, arena, err);
     ovr_arena_release(&scratch);
     return status;
 }

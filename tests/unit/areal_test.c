@@ -228,6 +228,32 @@ TEST(roughness_has_its_height_and_peklenik_number)
     }
 }
 
+/* The parameters need the pairs of heights at each shift, which are counted if
+ * a height is missing. */
+TEST(one_missing_height_hardly_changes_the_lay)
+{
+    static const double peklenik[] = {0.3, 1, 3};
+    for (int k = 0; k < 3; k++) {
+        ovr_roughness form = ovr_roughness_default();
+        form.Rq = 0.05;
+        form.length = 10;
+        form.shortest = 0.1;
+        form.peklenik = peklenik[k];
+        ovr_areal_numbers whole, holed;
+        ovr_areal *map = ovr_areal_random(&form, 6, 0.5, NULL, NULL);
+        assert_non_null(map);
+        assert_int_equal(ovr_areal_measure(map, &whole, NULL), OVR_OK);
+        map->z[map->nx * (map->ny / 2) + 1] = NAN;
+        map->missing = 1;
+        assert_int_equal(ovr_areal_measure(map, &holed, NULL), OVR_OK);
+        CHECK_NEAR(holed.Str, whole.Str, 2e-3);
+        assert_int_equal(isnan(holed.lay), isnan(whole.lay));
+        if (!isnan(whole.lay))
+            CHECK_NEAR(holed.lay, whole.lay, 0.2);
+        ovr_areal_free(map);
+    }
+}
+
 TEST(roughness_has_its_moments)
 {
     ovr_roughness form = ovr_roughness_default();
