@@ -108,7 +108,8 @@ static bool changes_abruptly(const ovr_setup *s, double far)
 
 /* ------------------------------------------------------------------ extent */
 
-/* Range of the passes' loads relative to the load of the setup's pass. */
+/* Range of the passes' loads relative to the load of the setup's pass. A single
+ * pass has no load of its own. */
 typedef struct loads {
     double minimum, maximum;
 } loads;
@@ -119,7 +120,7 @@ static loads loads_of_passes(const ovr_setup *s)
     const ovr_resolved *r = s->resolved;
     double now = r->pass_load > 0 ? r->pass_load : 1;
     loads all = {1, 1};
-    for (size_t k = 0; k < given->count; k++) {
+    for (size_t k = 0; s->passes->number > 1 && k < given->count; k++) {
         double other = given->values[k] / now;
         all.minimum = k ? fmin(all.minimum, other) : other;
         all.maximum = k ? fmax(all.maximum, other) : other;
@@ -198,12 +199,21 @@ static double outlet_of_jump(double jump)
     return OVR_USUAL_OUTLET * pow(45 * jump, 0.4);
 }
 
+/* Returns the last sample. If only the loads of the passes differ, conditions
+ * are the same at the beginning and the end of the run. */
+static int last_sample(const ovr_setup *s)
+{
+    if (ovr_setup_varies(s))
+        return LOOKS;
+    return s->passes->number > 1 && s->passes->loads.count ? 1 : 0;
+}
+
 static sampled_times moments_of(const ovr_setup *s)
 {
     sampled_times m = {.setup = s, .loads = {1, 1}};
     if (s->transient) {
         m.loads = loads_of_passes(s);
-        m.last = ovr_setup_varies(s) || s->passes->loads.count ? LOOKS : 0;
+        m.last = last_sample(s);
         m.strict = m.last && !ovr_history_reverses(s->speed);
     }
     for (int k = 0; k <= m.last; k++)

@@ -81,6 +81,16 @@ for pass in 1 2 3; do
     tail -n 1 out | grep -q '^3,' || fail "pass $pass does not end at X = 3"
 done
 
+# The domain of a single pass does not depend on loads without effect
+sed '/^number/d' passes.ini >single.ini
+expect 0 "$OVERROLL" check single.ini --json
+contains err 'loads has no effect without number'
+echo "$(value inlet) $(value outlet)" >with
+sed '/^loads/d' single.ini >plain.ini
+expect 0 "$OVERROLL" check plain.ini --json
+echo "$(value inlet) $(value outlet)" | cmp - with ||
+    fail "ineffective loads move the domain to $(cat with)"
+
 # Given numbers
 expect 0 "$OVERROLL" check ramp.ini --json --set domain.outlet=1.6
 is "$(value outlet) == 1.6"
