@@ -278,7 +278,7 @@ SURVEYS   := $(addprefix tests/,reference/any_case_slow_test.c \
                reference/stays_slow_test.c reference/touches_test.c \
                reference/elements_marched.sh reference/still_surfaces.sh \
                reference/mixes_slow.sh reference/wide_case_slow_test.c \
-               reference/told_slow_test.c reference/histories_slow_test.c \
+               reference/error_estimates_slow_test.c reference/histories_slow_test.c \
                reference/hot_starts_test.c \
                reference/film_waves_slow_test.c \
                unit/effects_slow_test.c unit/jumps_test.c \

@@ -11,7 +11,7 @@
 
 static test_series finest, steps_of_mesh, adaptive; /* large */
 
-/* The case without its steps. */
+/* Draws a case without time.step. */
 static void make_case(uint64_t *state, int level, const char *scheme,
                       char *text, size_t capacity)
 {
@@ -33,7 +33,7 @@ static void make_case(uint64_t *state, int level, const char *scheme,
 enum { TARGET = 3 };
 static const double target[TARGET] = {3e-2, 1e-2, 3e-3};
 
-/* Cycles at an error, on the line through two runs in logarithms. */
+/* Interpolates the number of cycles for an error, linearly in logarithms. */
 static double cycles_at(double error, const double e[TARGET],
                         const double cycles[TARGET])
 {
@@ -76,7 +76,7 @@ test_adaptive test_adaptive_cases(uint64_t seed, int cases, int level,
         }
     }
     printf("largest error %.2g times the target; at the error of dT = D %.0f "
-           "cycles instead of %.0f, where it lies between theirs: %d cases\n",
+           "cycles instead of %.0f in %d cases\n",
            all.worst, all.cycles, all.cycles_of_mesh, all.compared);
     return all;
 }

@@ -22,8 +22,9 @@ typedef struct draw {
     uint64_t state;
     char base[2000];
     char key[MAX_KEYS][CAPACITY], value[MAX_KEYS][CAPACITY];
-    int keys, most;       /* keys; steps, or cycles of a start */
-    double width, height; /* of a strip; of the highest feature over the film */
+    int keys, most; /* number of keys; maximum number of steps or cycles */
+    double width, height; /* width of a strip; height of the highest feature
+                             relative to the film thickness */
 } draw;
 
 static double between(draw *d, double low, double high)
@@ -38,7 +39,7 @@ static bool chance(draw *d, double share)
 
 static void contact(draw *d)
 {
-    double wide = chance(d, 0.2) ? 30 : 1; /* extreme */
+    double wide = chance(d, 0.2) ? 30 : 1; /* factor on the ranges */
     if (chance(d, 0.4))
         snprintf(d->base, sizeof d->base, "[contact]\nM = %.5g\nL = %.5g\n",
                  between(d, 3 / wide, 200 * wide),
@@ -79,8 +80,8 @@ static int whole(draw *d, int from, int to)
     return from + (int)test_random(&d->state, 0, to - from + 1);
 }
 
-/* Central film thickness of the smooth contact by formula, b^2/R; NAN: the
- * case is refused. */
+/* Returns the central film thickness of the smooth contact by the film
+ * thickness formula, b^2/R; NAN: the case is rejected. */
 static double film_of(const draw *d)
 {
     ovr_error err = {0};
@@ -92,7 +93,8 @@ static double film_of(const draw *d)
     return H;
 }
 
-/* Rubber to ceramics, from the load of a fingertip to what steel bears. */
+/* Draws bodies of rubber to ceramics whose p_h is 3e-4 to 0.02 of the modulus,
+ * or numbers M and L. */
 static void wide_conditions(draw *d)
 {
     bool soft = chance(d, 0.4);
@@ -117,7 +119,7 @@ static void wide_conditions(draw *d)
         add(d, "[time]\nend = %.3g\n", test_random(&d->state, 0.1, 0.4));
 }
 
-/* Where a feature is across a strip W wide, and its extent there. */
+/* Draws the position and width of a feature across a strip of width W. */
 static void across(draw *d, double W)
 {
     static const char *const extents[] = {"round", "endless", "0.3", "2"};
@@ -125,7 +127,7 @@ static void across(draw *d, double W)
         test_random(&d->state, -W / 2, W / 2), extents[whole(d, 0, 3)]);
 }
 
-/* A feature `height` high on a strip W wide, or on a line (W = 0). */
+/* Draws a feature of a height on a strip of width W, or a line (W = 0). */
 static void wide_feature(draw *d, int number, double height, double W)
 {
     int shape = whole(d, 0, W > 0 ? 7 : 3);
@@ -195,7 +197,8 @@ static void wide_contact(draw *d)
 
 /* --------------------------------------------------------------------- keys */
 
-/* What decides how long it takes is the survey's own. */
+/* True for keys that the survey sets because they determine the computing time.
+ */
 static bool is_left_out(const ovr_parameter *p, const char *section)
 {
     static const char *const keys[] = {"level", "nodes", "end", "refine_level",
@@ -206,7 +209,7 @@ static bool is_left_out(const ovr_parameter *p, const char *section)
     return !strcmp(section, "output") && p->kind == OVR_PATH;
 }
 
-/* Tables of two columns, a profile, and a file that is not there. */
+/* A table of two columns, a profile, and a file that does not exist. */
 static const char *const files[] = {"any_table.csv", "any_profile.csv",
                                     "any_nothing.csv"};
 
@@ -231,7 +234,7 @@ static void write_files(void)
     fclose(map);
 }
 
-/* A usual number, or one anywhere in the range, with its unit. */
+/* Draws a usual number or, sometimes, any number in the range of the key. */
 static double number_of(draw *d, const ovr_parameter *p)
 {
     bool bare = p->dimension == OVR_PURE || p->hertzian != OVR_NOT_HERTZIAN;
@@ -241,7 +244,7 @@ static double number_of(draw *d, const ovr_parameter *p)
         return between(d, fmax(p->minimum, 1e-10), fmin(p->maximum, 0.1));
     if (chance(d, 0.2))
         return chance(d, 0.5) ? p->minimum : fmin(p->maximum, 1e6);
-    if (!bare) /* an SI unit is no measure of what is usual */
+    if (!bare) /* numbers in SI units have no usual range */
         return between(d, fmax(p->minimum, 1e-12), fmin(p->maximum, 1e12));
     return test_random(&d->state, low, fmax(low, high));
 }
@@ -300,7 +303,7 @@ static ovr_case *make(const draw *d, ovr_error *err)
     return c;
 }
 
-/* One more key, or none where it is refused. */
+/* Adds a random key, unless the case with this key is rejected. */
 static void add_key(draw *d)
 {
     const ovr_section *section;
@@ -353,10 +356,10 @@ static void listen(void *data, ovr_message_kind kind, const char *text)
     if (!has_word(text))
         return;
     ((watch *)data)->words++;
-    print_message("    said: %s\n", text);
+    print_message("    message: %s\n", text);
 }
 
-static void take(void *data, const ovr_summary_line *line)
+static void check_summary(void *data, const ovr_summary_line *line)
 {
     if (line->form != OVR_SUMMARY_NUMBER || !isinf(line->number))
         return;
@@ -375,7 +378,7 @@ static int line_at_fault(const ovr_state *s, double Y)
     return 0;
 }
 
-/* Of all lines of a strip. */
+/* Returns 1 if a field of the contact, or of any line of a strip, is wrong. */
 static int fields_at_fault(ovr_simulation *sim)
 {
     size_t lines = 1, shown;
@@ -400,17 +403,18 @@ static int closes(const ovr_run *run)
     bool oil = !isfinite(o->mass_defect) || fabs(o->mass_defect) < 1e-2;
     if (!ovr_run_get_info(run)->converged || (load < 1e-4 && oil))
         return 0;
-    print_message("    load off by %.2g, oil by %.2g\n", load, o->mass_defect);
+    print_message("    load error %.2g, mass conservation error %.2g\n", load,
+                  o->mass_defect);
     return 1;
 }
 
-/* A gigabyte for a case: extreme ones ask for stresses in 1e9 points, which a
- * machine that promises more than it has gives them. */
+/* Memory limit of a case, 1 GB. Extreme cases request stresses at 1e9 points,
+ * which malloc may grant although the machine has less memory. */
 typedef struct budget {
     size_t left;
 } budget;
 
-static void *take_within(void *context, size_t bytes)
+static void *allocate(void *context, size_t bytes)
 {
     budget *b = context;
     size_t *memory = bytes + 16 <= b->left ? malloc(bytes + 16) : NULL;
@@ -421,7 +425,7 @@ static void *take_within(void *context, size_t bytes)
     return (char *)memory + 16;
 }
 
-static void give_back(void *context, void *memory)
+static void release(void *context, void *memory)
 {
     if (!memory)
         return;
@@ -430,8 +434,8 @@ static void give_back(void *context, void *memory)
     free(begin);
 }
 
-/* The film at X = 0 on a level, the order that it was solved with and, where it
- * is asked for, its estimated error. */
+/* Returns H_cen on a level, the order of the solution and, if `error` is not
+ * NULL, the estimated error. */
 static double film_on(const draw *d, const char *level, int *order,
                       double *error)
 {
@@ -449,7 +453,7 @@ static double film_on(const draw *d, const char *level, int *order,
         c = NULL;
     }
     budget capacity = {(size_t)1 << 30};
-    const ovr_allocator within = {take_within, give_back, &capacity};
+    const ovr_allocator within = {allocate, release, &capacity};
     ovr_run *run = c ? ovr_run_create(c, &how, &within, &err) : NULL;
     if (run && !ovr_run_execute(run, &err)) {
         const ovr_run_info *about = ovr_run_get_info(run);
@@ -468,9 +472,9 @@ static double film_on(const draw *d, const char *level, int *order,
 /* True if the film thicknesses of levels 7 and 8 differ by more than the
  * estimate of level 7, for solutions of the same order (otherwise a warning is
  * printed). */
-static bool misleads(const draw *d, int *told)
+static bool misleads(const draw *d, int *compared)
 {
-    const double cycles = 1e-5; /* what stopping leaves */
+    const double cycles = 1e-5; /* algebraic error */
     int order, order_finer;
     double error = NAN, film = film_on(d, "7", &order, &error), finer;
     if (!isfinite(film) || !isfinite(error))
@@ -478,28 +482,28 @@ static bool misleads(const draw *d, int *told)
     finer = film_on(d, "8", &order_finer, NULL);
     if (order != order_finer)
         return false;
-    ++*told;
+    ++*compared;
     if (!(fabs(finer - film) > fmax(fabs(error), cycles * film)))
         return false;
-    print_message("    H_cen %g and %g on levels 7 and 8, told %.2g\n", film,
-                  finer, error);
+    print_message("    H_cen %g and %g on levels 7 and 8, estimate %.2g\n",
+                  film, finer, error);
     return true;
 }
 
-/* CPU time relative to the estimate of `check`, of runs that reached their end
- * and have taken or were to take more than the start of a program. */
+/* Returns the CPU time of a finished run relative to the estimate of `check`;
+ * NAN: both are shorter than the start of the program. */
 static double cost_of(const draw *d, double seconds)
 {
     const double start = 0.1;
     ovr_error err = {0};
     ovr_case *c = make(d, &err);
     ovr_setup *s = c ? ovr_case_resolve(c, NULL, &err) : NULL;
-    double told = NAN;
+    double estimate = NAN;
     if (s && !ovr_setup_prepare(s, NULL, &err))
-        told = ovr_setup_cost(s, 0).seconds;
+        estimate = ovr_setup_cost(s, 0).seconds;
     ovr_setup_free(s);
     ovr_case_free(c);
-    return fmax(told, seconds) > start ? seconds / told : NAN;
+    return fmax(estimate, seconds) > start ? seconds / estimate : NAN;
 }
 
 typedef struct ending {
@@ -507,7 +511,7 @@ typedef struct ending {
     double cost; /* NAN: not compared */
 } ending;
 
-/* How many things are wrong with it. */
+/* Runs a case and returns the number of its faults. */
 static int try(const draw *d, ending *e)
 {
     watch w = {.most = d->most};
@@ -518,7 +522,7 @@ static int try(const draw *d, ending *e)
     how.stop = stop;
     how.say = listen;
     budget capacity = {(size_t)1 << 30};
-    const ovr_allocator within = {take_within, give_back, &capacity};
+    const ovr_allocator within = {allocate, release, &capacity};
     clock_t begun = clock();
     ovr_run *run = c ? ovr_run_create(c, &how, &within, &err) : NULL;
     int wrong = 0;
@@ -531,7 +535,7 @@ static int try(const draw *d, ending *e)
         if (!status)
             e->cost = cost_of(d, seconds);
         if (e->solved) {
-            ovr_run_summary(ovr_run_get_info(run), take, &w);
+            ovr_run_summary(ovr_run_get_info(run), check_summary, &w);
             wrong += fields_at_fault(run->sim) + closes(run);
         }
     }
@@ -549,7 +553,7 @@ static int try(const draw *d, ending *e)
     return wrong + w.words + w.infinite;
 }
 
-static void tell_seed(const draw *d, uint64_t seed, int k, bool wrong)
+static void print_seed(const draw *d, uint64_t seed, int k, bool wrong)
 {
     if (wrong || getenv("OVERROLL_RUNS"))
         print_message("  seed %llu\n", (unsigned long long)seed + (unsigned)k);
@@ -559,7 +563,7 @@ static void tell_seed(const draw *d, uint64_t seed, int k, bool wrong)
 
 void test_any_case_survey(uint64_t seed, int runs)
 {
-    int wrong = 0, solved = 0, told = 0, misled = 0;
+    int wrong = 0, solved = 0, compared = 0, misled = 0;
     write_files();
     for (int k = 0; k < runs; k++) {
         static draw d;
@@ -569,21 +573,22 @@ void test_any_case_survey(uint64_t seed, int runs)
         for (int tries = 0; tries < 40 && d.keys < MAX_KEYS; tries++)
             add_key(&d);
         bool fails = try(&d, &e), steady = !strstr(d.base, "[time]");
-        bool misled_by = !fails && steady && misleads(&d, &told);
+        bool misled_by = !fails && steady && misleads(&d, &compared);
         misled += misled_by;
         wrong += fails;
         solved += e.solved;
-        tell_seed(&d, seed, k, fails || misled_by);
+        print_seed(&d, seed, k, fails || misled_by);
     }
-    print_message("    %d cases, %d solved, %d at fault; %d of %d steady ones "
-                  "told less than levels 7 and 8 differ\n",
-                  runs, solved, wrong, misled, told);
+    print_message("    %d cases, %d solved, %d with faults; in %d of %d steady "
+                  "ones the estimate is below the difference of levels 7 and "
+                  "8\n",
+                  runs, solved, wrong, misled, compared);
     assert_int_equal(wrong, 0);
-    /* one may be in a hundred cases, of which thirty are compared */
-    assert_true(100 * (misled - 1) <= 3 * told);
+    /* One is allowed in any case; 30 of 100 cases are compared. */
+    assert_true(100 * (misled - 1) <= 3 * compared);
 }
 
-/* Writes the case as SEED.ini, with the keys that were added to it. */
+/* Writes the case with its added keys to SEED.ini. */
 static void write_case(const draw *d, const char *folder, uint64_t seed)
 {
     ovr_error err = {0};
@@ -619,13 +624,13 @@ void test_wide_case_survey(uint64_t seed, int runs)
         compared += !isnan(e.cost);
         dear += e.cost > 10;
         cheap += e.cost < 0.1;
-        tell_seed(&d, seed, k, fails || e.cost > 10);
+        print_seed(&d, seed, k, fails || e.cost > 10);
     }
-    print_message("    %d cases, %d solved, %d at fault; of %d that took time "
-                  "%d took more than ten times the estimate, %d less than a "
-                  "tenth\n",
+    print_message("    %d cases, %d solved, %d with faults; of %d that were "
+                  "timed %d took more than ten times the estimate, %d less "
+                  "than a tenth\n",
                   runs, solved, wrong, compared, dear, cheap);
     assert_int_equal(wrong, 0);
-    /* Times are of use only in large numbers. */
+    /* Times are checked in large surveys only. */
     assert_true(runs < 200 || 20 * dear <= compared);
 }

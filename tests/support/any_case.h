@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Random cases drawn from the table of keys itself. */
+/* Random cases drawn from the table of keys. */
 #ifndef TESTS_SUPPORT_ANY_CASE_H
 #define TESTS_SUPPORT_ANY_CASE_H
 
@@ -7,29 +7,30 @@
 
 /*
  * Runs cases of consecutive seeds. Each has a contact of plausible or extreme
- * numbers and up to twelve keys of any section.  A key is one of its words, a
- * usual number or a number anywhere in its range, in SI units if it has any, or
- * a file or list.  Levels, end times and names of results are set by the
- * survey.  Refused cases are left out.  Runs are steady or 0.5 b/um long, on
- * level 5, of at most 40 steps.
+ * numbers and up to twelve keys of any section. The value of a key is one of
+ * its words, a usual number, a number anywhere in its range (in SI units if it
+ * has a dimension), a file or a list. The survey sets levels, end times and
+ * names of result files. Rejected keys are omitted. Runs are steady or 0.5 b/um
+ * long, on level 5, with at most 40 steps.
  *
- * A case is solved or fails with a message.  Fields of solved cases are finite,
- * and neither summary nor messages have numbers that are not.  Converged films
- * carry their load to 1e-4 and conserve lubricant to 1e-2: a step may leave R =
- * 1e-3 on any mesh, and rounding of extreme contacts several times that.
- * Steady cases are solved again on levels 7 and 8. Of those with an expected
- * error at most 3 in 100 may differ by more than it.
+ * A case is solved or fails with a message. All fields of solved cases are
+ * finite, and so are the numbers in summary and messages. Errors of converged
+ * films are below 1e-4 (load) and 1e-2 (mass conservation): a step is accepted
+ * with R = 1e-3 on any grid, and rounding errors of extreme contacts are
+ * several times larger. Steady cases are solved again on levels 7 and 8. At
+ * most 3 of 100 with an error estimate may differ by more than the estimate.
  */
 void test_any_case_survey(uint64_t seed, int runs);
 
 /*
- * Wider cases, half of them strips on levels 4 to 6.  Contacts of rubber to
- * ceramics have slide-to-roll ratios to 30 either way.  Features are 0.01 to 10
- * times as high as the smooth film.  Up to six keys of any section are drawn
- * too.  Each case is solved or fails in a sentence.  In a survey of 200 or more
- * at most one in twenty of those that take time takes ten times as long as
- * `check` says.  With OVERROLL_CASES the cases are written to files SEED.ini in
- * this folder, and not solved (verify/wide_files.sh).
+ * Runs cases with wider ranges. Half of them are strips on levels 4 to 6.
+ * Bodies are of rubber to ceramics, and slide-to-roll ratios are up to 30 in
+ * both directions. Features are 0.01 to 10 times as high as the smooth film
+ * thickness. Up to six keys of any section are added. Each case is solved or
+ * fails with a message. In a survey of 200 cases or more, at most one in twenty
+ * of the timed cases takes ten times the CPU time that `check` predicts. If
+ * OVERROLL_CASES names a folder, the cases are written there to files SEED.ini
+ * and not solved (verify/wide_files.sh).
  */
 void test_wide_case_survey(uint64_t seed, int runs);
 

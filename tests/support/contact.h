@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The contact of the reference values, by Moes' numbers. */
+/* Contact and lubricant of the reference values, for Moes' numbers M and L. */
 #ifndef TESTS_SUPPORT_CONTACT_H
 #define TESTS_SUPPORT_CONTACT_H
 
@@ -13,14 +13,14 @@ typedef struct test_contact {
 /* alpha = 1.7e-8 1/Pa, p0 = 1.98e8 Pa, z = 0.68, as in the paper. */
 test_contact test_contact_make(double M, double L);
 
-/* The state that truths are of, whatever the program's defaults: [-4, 1.5],
- * second order, upstream wedge and BDF2. */
+/* Returns the options of the reference values, which do not depend on the
+ * program's defaults: [-4, 1.5], second order, upstream2. */
 ovr_options test_options(void);
 
-/* A simulation of it, or the test fails. */
+/* Creates a simulation, or fails the test. */
 ovr_simulation *test_simulation(double M, double L, const ovr_options *options);
 
-/* Features of the reference runs, an ovr_heights:
+/* Feature of the reference runs; test_feature_heights is an ovr_heights.
  *   'l'  A 10^(-10 xi^2) cos(2 pi xi), xi = (X - start - u T)/width
  *   's'  the same, growing by quintic smoothstep over `grow`
  *   'w'  A s(T/grow) cos(2 pi (X - u T)/width) */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Deformation in the order of the nodes, for code without lanes. */
+/* Elastic deformation of arrays in the order of the nodes (not in lanes). */
 #ifndef TESTS_SUPPORT_DEFORMATION_H
 #define TESTS_SUPPORT_DEFORMATION_H
 
@@ -13,14 +13,15 @@ typedef struct test_deformation {
     double *P, *w; /* in lanes */
 } test_deformation;
 
-/* By the named kernels (NULL: the best), or the test fails. */
+/* Plans the deformation with the named kernels (NULL: the fastest), or fails
+ * the test. */
 test_deformation test_deformation_plan(const char *kernels, size_t n, double D,
                                        int order, int range, ovr_arena *arena);
 
-/* w of P, n values each. */
+/* Computes the deformation w of a pressure P, n values each. */
 void test_deform(const test_deformation *plan, const double *P, double *w);
 
-/* w = K P/pi by direct summation, O(n^2). */
+/* Computes w = K P/pi by direct summation, O(n^2). */
 void test_deform_directly(size_t n, double D, const double *P, double *w);
 
 #endif

@@ -23,11 +23,11 @@ typedef struct test_dent {
 void test_dent_init(test_dent *dent, size_t n, double dT);
 void test_dent_free(test_dent *dent);
 
-/* Moves to a step: everything follows from its number alone. */
+/* Sets the fields of a step, which depend only on its number. */
 void test_dent_move(test_dent *dent, long step);
 
-/* A steel roller with mineral oil: M = 20, L = 10, all scales known; and the
- * same contact without its scales. */
+/* Contact of a steel roller with mineral oil, M = 20, L = 10, with all scales;
+ * and the same contact without scales. */
 ovr_contact test_contact_physical(void);
 ovr_contact test_contact_bare(void);
 

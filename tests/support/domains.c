@@ -36,7 +36,7 @@ static double between(text *t, double low, double high)
 typedef struct way {
     const char *section;
     double range;   /* values are from 1/range to range */
-    double slowest; /* least time from one value to another, b/um */
+    double slowest; /* minimum time between two values, b/um */
 } way;
 
 static void add_table(text *t, const way *w, const char *folder)
@@ -51,7 +51,7 @@ static void add_table(text *t, const way *w, const char *folder)
     add(t, "history = table\nfile = %s\n", path);
 }
 
-/* Something varies. */
+/* Adds a random history of load, speed or radius; `must`: not constant. */
 static void add_history(text *t, way w, bool must, const char *folder)
 {
     int kind = (int)test_random(&t->state, must ? 1 : 0, 4);
@@ -103,8 +103,8 @@ static void draw(text *t, uint64_t seed, bool jumps, const char *folder)
         add_history(t, (way){"load", sqrt(5), 0.6}, true, folder);
     }
     add_history(t, (way){"speed", 3, 0.6}, false, folder);
-    if (!passes && !jumps) /* mass-conserving cavitation from a start that
-                              changes takes short steps */
+    if (!passes && !jumps) /* passes use mass-conserving cavitation, which needs
+                              short steps if the radius varies at T = 0 */
         add_history(t, (way){"radius", 1.4, 3}, false, folder);
 }
 
@@ -141,7 +141,7 @@ typedef struct domain {
     bool convected;
 } domain;
 
-/* The domain and its mesh, as they are given or chosen. */
+/* Solves a case (go) or only determines its domain and grid. */
 static bool solve(const char *words, seen *s, domain *d, const char *folder,
                   bool go, ovr_error *err)
 {
@@ -188,8 +188,8 @@ static double largest(const seen *s)
     return maximum;
 }
 
-/* A film that a jump of speed lets break off, nearly, is compared with a fifth
- * of the mean. */
+/* Returns the maximum differences, of H_cen relative to H_cen or, after a jump
+ * of the speed that nearly breaks the film, to a fifth of the mean. */
 static worst compare(const seen *a, const seen *b)
 {
     worst w = {0, fabs(largest(a) / largest(b) - 1)};
@@ -205,14 +205,14 @@ static worst compare(const seen *a, const seen *b)
     return w;
 }
 
-/* So that what steps leave of R, 7e-4 of a film, is not taken for the domain's.
- */
+/* The algebraic error of the default tolerance, 7e-4 of a film thickness, is
+ * larger than the effect of the domain. */
 #define CLOSE "[solver]\ntolerance = 1e-7\n"
 
-/* Nodes of the wide domain that are in the other are nodes of it.  Steps that
- * one of them halves are other steps in time, which jumps tell by up to half a
- * film. A start on one of them with another mean between nodes is another
- * discretization, 1.6e-2 of a film at M = 220 on level 7. */
+/* Runs a case on its domain and on a domain twice as wide with the same nodes.
+ * Returns false if both are not comparable. Halved time steps on one domain
+ * differ by up to half a film thickness after jumps. Another mean between nodes
+ * at the start differs by 1.6e-2 of a film thickness at M = 220 on level 7. */
 static bool try(text *t, const char *folder, worst *w)
 {
     static seen near, far;
@@ -238,7 +238,7 @@ static bool try(text *t, const char *folder, worst *w)
         return false;
     }
     if (d.convected && !wide.convected) {
-        print_message("    curvature does not ride on twice the domain\n");
+        print_message("    curvature is not convected on the wide domain\n");
         return false;
     }
     if (near.halved || far.halved) {

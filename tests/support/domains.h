@@ -7,21 +7,25 @@
 #include <stdint.h>
 
 /*
- * From each seed, printed: M 5 to 200 (logarithmic), L 0 to 14; load, speed and
- * radius each constant, a ramp, a sine or a table, within sqrt(5), 3 and 1.4
- * times nominal or a part of it and over 0.6 b/um at least (radius 3), or two
- * passes of such loads with oil enough (a quarter); 3 b/um in steps of 0.05, on
- * meshes below 0.02 b.  Compared on the same nodes: H_cen at every step, to
- * 5e-4 (2e-3 in two of a hundred, where the front of another film passes X = 0
- * or curvature is convected no farther out), and the largest P_max, to 2e-3.
- * Cases that cannot be solved on either domain, in which a step is halved on
- * either, or whose curvature cannot ride on the wide one, are drawn again.
+ * Runs and prints random cases of consecutive seeds. M is 5 to 200
+ * (logarithmic) and L 0 to 14. Load, speed and radius are each constant, a
+ * ramp, a sine or a table. Their values are within a factor of sqrt(5), 3 and
+ * 1.4 of the reference values. They change within 0.6 b/um (radius: 3) or
+ * longer. A quarter of the cases have two passes of such loads with a flooded
+ * supply. Runs are 3 b/um long in steps of 0.05, with mesh sizes below 0.02 b.
  *
- * With `jumps` the load is a step within sqrt(5) times nominal or a part of it,
- * and the radius constant: 0.4 to 1 % of a film are lost by the outlet of
- * constant loads, and 5 % of P_max in the jump.  In one of ten the same bounds
- * may be missed (the front of the film before the jump passes X = 0, where a
- * mesh of 0.02 b and the steps leave more), never by more than 2e-3 and 5e-3.
+ * Both domains have common nodes. H_cen of every step agrees within 5e-4, and
+ * the maximum of P_max within 2e-3. In two of a hundred runs H_cen may differ
+ * by 2e-3: the front of another film passes X = 0, or the curvature is not
+ * convected further upstream. Cases are drawn again if a domain has no
+ * solution, if a step is halved, or if the wide domain cannot convect the
+ * curvature.
+ *
+ * With `jumps`, the load is a step within a factor of sqrt(5), and the radius
+ * is constant. With the outlet position of constant loads, errors would be 0.4
+ * to 1 % of a film thickness and 5 % of P_max during the jump. One of ten runs
+ * may exceed the bounds, up to 2e-3 and 5e-3: the front of the film before the
+ * jump passes X = 0, where the discretization error is larger.
  */
 void test_domains_survey(uint64_t seed, int runs, bool jumps);
 

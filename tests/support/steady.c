@@ -35,8 +35,8 @@ test_solution test_steady(double M, double L, const ovr_options *options)
     return s;
 }
 
-int test_levels(int unless_told)
+int test_levels(int default_level)
 {
-    const char *told = getenv("OVERROLL_LEVELS");
-    return told ? atoi(told) : unless_told;
+    const char *levels = getenv("OVERROLL_LEVELS");
+    return levels ? atoi(levels) : default_level;
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Steady contacts of given M and L, one call each. */
+/* Solves the steady contact of given M and L. */
 #ifndef TESTS_SUPPORT_STEADY_H
 #define TESTS_SUPPORT_STEADY_H
 
@@ -8,17 +8,17 @@
 typedef struct test_solution {
     ovr_status status;
     ovr_observation o;
-    ovr_options options;   /* as resolved */
-    ovr_refinement finest; /* the last level's record */
-    double seconds;        /* of the solve */
+    ovr_options options;   /* resolved options */
+    ovr_refinement finest; /* record of the finest level */
+    double seconds;        /* wall-clock time of the solution */
     char message[OVR_MESSAGE_SIZE];
 } test_solution;
 
-/* The contact of support/contact.h, solved. */
+/* Solves the contact of support/contact.h. */
 test_solution test_steady(double M, double L, const ovr_options *options);
 
 /* Returns the finest level of a table: low in `make check`; `make paper` sets
  * the environment variable OVERROLL_LEVELS. */
-int test_levels(int unless_told);
+int test_levels(int default_level);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "told.h"
+#include "error_estimates.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -10,11 +10,11 @@
 #include "test.h"
 
 typedef struct tally {
-    int cases, failed, low, numbers, told;
+    int cases, failed, low, numbers, estimated;
 } tally;
 
-/* With `T`, of another level and to that time. */
-static ovr_run *solved(const char *text, int level, double T, ovr_error *err)
+/* Runs a case with error estimates or, if T is not NAN, on `level` until T. */
+static ovr_run *run_case(const char *text, int level, double T, ovr_error *err)
 {
     char set[64];
     ovr_run_options how = {0};
@@ -53,71 +53,73 @@ static double value_of(const ovr_run *run, const char *key)
     return NAN;
 }
 
-static void compare(tally *t, uint64_t seed, const ovr_run *told,
-                    const ovr_run *truth)
+static void compare(tally *t, uint64_t seed, const ovr_run *coarse,
+                    const ovr_run *fine)
 {
-    const ovr_run_errors *e = ovr_run_get_info(told)->error;
+    const ovr_run_errors *e = ovr_run_get_info(coarse)->error;
     int low = 0;
     for (size_t k = 0; k < e->count; k++) {
         const ovr_run_error *of = &e->of[k];
-        double off = fabs(of->value[0] - value_of(truth, of->key));
-        if (isnan(off))
+        double actual = fabs(of->value[0] - value_of(fine, of->key));
+        if (isnan(actual))
             continue;
         t->numbers++;
-        t->told += isfinite(of->error);
-        if (!(of->error < 0.5 * off))
+        t->estimated += isfinite(of->error);
+        if (!(of->error < 0.5 * actual))
             continue;
         low++;
-        print_message("    seed %llu: %s told %.2g, true %.2g; %.5g, %.5g, "
-                      "%.5g\n",
+        print_message("    seed %llu: error of %s: estimate %.2g, actual "
+                      "%.2g; values %.5g, %.5g, %.5g\n",
                       (unsigned long long)seed, of->key,
-                      of->error / fabs(of->value[0]), off / fabs(of->value[0]),
-                      of->value[0], of->value[1], of->value[2]);
+                      of->error / fabs(of->value[0]),
+                      actual / fabs(of->value[0]), of->value[0], of->value[1],
+                      of->value[2]);
     }
     t->low += low > 0;
 }
 
-static void take(tally *t, uint64_t seed, const char *text, int level,
-                 int finer)
+static void run_both(tally *t, uint64_t seed, const char *text, int level,
+                     int finer)
 {
     ovr_error err = {0};
-    ovr_run *told = solved(text, level, NAN, &err), *truth = NULL;
+    ovr_run *coarse = run_case(text, level, NAN, &err), *fine = NULL;
     if (!err.status)
-        truth = solved(text, level + finer,
-                       ovr_simulation_state(ovr_run_get_info(told)->sim)->T,
-                       &err);
+        fine = run_case(text, level + finer,
+                        ovr_simulation_state(ovr_run_get_info(coarse)->sim)->T,
+                        &err);
     t->cases += !err.status;
     t->failed += err.status != OVR_OK;
     if (!err.status)
-        compare(t, seed, told, truth);
-    ovr_run_free(truth);
-    ovr_run_free(told);
+        compare(t, seed, coarse, fine);
+    ovr_run_free(fine);
+    ovr_run_free(coarse);
 }
 
-void test_told_case(const char *text, int level, int finer)
+void test_error_estimates_case(const char *text, int level, int finer)
 {
     tally t = {0};
-    take(&t, 0, text, level, finer);
+    run_both(&t, 0, text, level, finer);
     assert_int_equal(t.cases, 1);
     assert_int_equal(t.low, 0);
 }
 
-int test_told_survey(uint64_t seed, int cases, int level, int finer,
-                     int maximum)
+int test_error_estimates_survey(uint64_t seed, int cases, int level, int finer,
+                                int maximum)
 {
     static test_random_case d;
     tally t = {0};
     test_write_points("thinning.csv");
     for (uint64_t k = seed; t.cases < cases && t.failed < cases; k++) {
         test_mixed_case(&d, k, level);
-        take(&t, k, d.text, level, finer);
+        run_both(&t, k, d.text, level, finer);
     }
-    print_message("    seeds %llu on: %d cases (%d more end early), %d with an "
-                  "error told below half of the true one; %d of %d told\n",
-                  (unsigned long long)seed, t.cases, t.failed, t.low, t.told,
-                  t.numbers);
+    print_message("    seeds %llu on: %d cases (%d more failed), %d with an "
+                  "estimate below half of the actual error; %d of %d numbers "
+                  "have estimates\n",
+                  (unsigned long long)seed, t.cases, t.failed, t.low,
+                  t.estimated, t.numbers);
     assert_int_equal(t.cases, cases);
     assert_true(t.low <= maximum);
-    assert_true(3 * t.told >= t.numbers);
+    assert_true(3 * t.estimated >= t.numbers);
     return t.low;
 }

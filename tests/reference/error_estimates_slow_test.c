@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Estimated discretization errors of random cases of mixed physics
- * (support/told.h): 5 cases at level 5; in make verify 70, and 30 at level 6.
- * According to overroll(1) some estimate is below half of the error in one run
- * of five, mostly for a pressure peak. A sample of n may exceed n/5 by two
- * standard deviations, 2 sqrt(n/5 4/5). These limits are 2 of 5, 10 of 30 and
- * 20 of 70. */
+ * (support/error_estimates.h): 5 cases at level 5; in make verify 70, and 30 at
+ * level 6. According to overroll(1) some estimate is below half of the error in
+ * one run of five, mostly for a pressure peak. A sample of n may exceed n/5 by
+ * two standard deviations, 2 sqrt(n/5 4/5). These limits are 2 of 5, 10 of 30
+ * and 20 of 70. */
 #include <math.h>
 
+#include "support/error_estimates.h"
 #include "support/test.h"
-#include "support/told.h"
 
-/* By the gap three levels agree to 0.3 %, finer ones go on to 6 % below. */
+/* With faces = gap, H_min of three levels agrees within 0.3 % by chance. On
+ * finer levels it is 6 % smaller. */
 static const char by_chance[] = "[contact]\n"
                                 "load = 43457 N/m\n"
                                 "radius = 6.444 mm\n"
@@ -55,7 +56,7 @@ static const char by_chance[] = "[contact]\n"
                                 "seed = 0\n"
                                 "start = 0.850268\n";
 
-/* The load swings faster than the steps of the coarse levels. */
+/* The period of the load is shorter than a few time steps of coarse levels. */
 static const char swinging[] = "[contact]\n"
                                "load = 2.8249e+05 N/m\n"
                                "radius = 39.72 mm\n"
@@ -94,10 +95,10 @@ static const char swinging[] = "[contact]\n"
                                "wavelength = 0.63076\n"
                                "origin = -3.47692\n";
 
-TEST(chance_is_no_estimate)
+TEST(levels_that_agree_by_chance)
 {
-    test_told_case(by_chance, 5, 3);
-    test_told_case(swinging, 5, 2);
+    test_error_estimates_case(by_chance, 5, 3);
+    test_error_estimates_case(swinging, 5, 2);
 }
 
 static int at_most(int n)
@@ -108,7 +109,7 @@ static int at_most(int n)
 TEST(estimated_errors_are_not_too_small)
 {
     int cases = test_draws(5, 70), finer = test_draws(0, 30);
-    test_told_survey(31000, cases, 5, 3, at_most(cases));
+    test_error_estimates_survey(31000, cases, 5, 3, at_most(cases));
     if (finer)
-        test_told_survey(41000, finer, 6, 2, at_most(finer));
+        test_error_estimates_survey(41000, finer, 6, 2, at_most(finer));
 }
