@@ -7,7 +7,7 @@
 #include "contact/film_formula.h"
 #include "overroll/simulation.h"
 
-/* The i-th number of van der Corput's sequence, 0 to 1. */
+/* Returns element i of van der Corput's sequence, 0 to 1. */
 static double corput(size_t i, size_t base)
 {
     double value = 0, part = 1;
@@ -27,7 +27,8 @@ static test_film draw(size_t i)
     return f;
 }
 
-/* Inlet 40 widths sqrt(2 H) of the film out: it costs less than 1e-4. */
+/* Solves with the inlet at least 40 sqrt(2 H) upstream, where its effect on the
+ * film thickness is below 1e-4. */
 static int solve(int level, test_film *f)
 {
     double width = sqrt(2 * ovr_film_central_moes(f->M, f->L));

@@ -11,8 +11,9 @@ typedef struct test_film {
     double central, minimum;
 } test_film;
 
-/* The first `count` points of a Halton sequence in log M, log L and alpha with
- * ph below 4 GPa, solved with converged inlets; how many converged. */
+/* Solves the first `count` points of a Halton sequence in log M, log L and
+ * alpha whose ph is below 4 GPa, with a distant inlet. Returns the number of
+ * converged solutions. */
 size_t test_films(size_t count, int level, test_film *film);
 
 #endif

@@ -64,7 +64,7 @@ static void put_number(buffer *b, double value, bool comma)
             b->out[from] = ',';
 }
 
-/* The text is UTF-8 with micro signs as its only foreign letters. */
+/* Encodes UTF-8 whose only characters beyond ASCII are micro signs. */
 static size_t encode(char *text, size_t size, gauge_encoding encoding)
 {
     static char copy[GAUGE_BYTES];

@@ -14,12 +14,12 @@ enum { GAUGE_POINTS = 400, GAUGE_LINES = 4, GAUGE_BYTES = 1 << 20 };
 typedef struct gauge {
     size_t n, lines;
     bool uniform;
-    double dx; /* of uniform ones */
+    double dx; /* spacing of a uniform gauge */
     double x[GAUGE_POINTS];
     double z[GAUGE_LINES][GAUGE_POINTS];
 } gauge;
 
-/* A random surface; one in three has missing heights when `gaps`. */
+/* Draws a random surface. With `gaps`, one in three has missing heights. */
 void gauge_make(gauge *g, uint64_t *seed, bool uniform, size_t lines,
                 bool gaps);
 
@@ -33,7 +33,7 @@ typedef enum gauge_encoding {
 } gauge_encoding;
 
 typedef struct gauge_text {
-    char separator; /* ';' brings decimal commas */
+    char separator; /* with ';' decimal points are commas */
     const char *newline;
     gauge_encoding encoding;
     bool trailing; /* separator at the end of each line */
@@ -42,25 +42,25 @@ typedef struct gauge_text {
     bool backwards;
 } gauge_text;
 
-/* Each returns the bytes written to `out` (GAUGE_BYTES of space). */
+/* Write to `out`, of GAUGE_BYTES, and return the number of bytes. `type` is 0
+ * to 7 as in SDF, and *step the height of one unit. */
 size_t gauge_as_text(const gauge *g, const gauge_text *how, char *out);
-/* type: 0..7 as in SDF; *step is the height of one unit. */
 size_t gauge_as_sdf_text(const gauge *g, char *out);
 size_t gauge_as_sdf_binary(const gauge *g, int type, char *out, double *step);
 size_t gauge_as_smd(const gauge *g, char *out);
 
 typedef struct gauge_x3p {
-    char type;        /* of z: I, L, F, D */
+    char type;        /* data type of z: I, L, F, D */
     bool stored_x;    /* absolute CX, as D */
     bool inline_data; /* DataList instead of a binary file */
     bool mask;        /* valid points in a bit mask instead of NaN */
     bool list;        /* ListDimension instead of MatrixDimension */
     bool prefix;      /* names in a namespace */
     bool deflate;
-    const char *folder; /* "" or "something/" */
+    const char *folder; /* "" or "FOLDER/" */
 } gauge_x3p;
 
-/* Writes to a file, through libzip. */
+/* Writes a file with libzip. */
 void gauge_to_x3p(const gauge *g, const gauge_x3p *how, const char *path,
                   double *step);
 

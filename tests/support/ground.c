@@ -15,7 +15,8 @@ typedef struct surface {
     int seed;
 } surface;
 
-/* Ratio of slope and Rq for a spectrum q^(-1 - 2h) between two wavelengths. */
+/* Returns the ratio of rms slope and Rq for a spectrum q^(-1 - 2h) between two
+ * wavelengths. */
 static double slope_of(double longest, double shortest)
 {
     const double h = 0.8;
@@ -25,7 +26,8 @@ static double slope_of(double longest, double shortest)
     return sqrt(slopes / heights);
 }
 
-/* The longest wave, by bisection of ln: 300 um at most. */
+/* Returns the longest wavelength for this ratio, at most 300 um, by bisection.
+ */
 static double longest_of(double slope, double shortest)
 {
     double low = 1.1 * shortest, high = 300;
@@ -74,7 +76,7 @@ static ovr_case *make_case(const test_ground *g, const surface s[2],
     return ovr_case_read_text(text, "ground.ini", NULL, NULL, &err);
 }
 
-/* Central film thickness by Moes in um at this speed. */
+/* Returns the central film thickness in um at this speed by Moes' formula. */
 static double film_at(test_ground *g, const surface s[2], double speed)
 {
     double h = NAN;
@@ -181,7 +183,7 @@ test_ground_tally test_ground_survey(uint64_t seed, int runs, double from,
         test_ground g = test_ground_touching(k, from, to, level, layer);
         double each = (double)g.cycles / fmax(g.steps, 1);
         print(k, &g);
-        all.broken += g.status != OVR_OK;
+        all.failed += g.status != OVR_OK;
         all.max_cycles = fmax(all.max_cycles, each);
         if (g.retries > all.max_retries)
             all.max_retries = g.retries;
@@ -190,9 +192,9 @@ test_ground_tally test_ground_survey(uint64_t seed, int runs, double from,
     }
     all.cycles = (double)cycles / fmax((double)steps, 1);
     print_message("    seeds %d on, level %d, lambda %g to %g, a layer of %g "
-                  "nm: %d of %d break off; %.2f steps of Newton's method a "
-                  "time step, %.2f in the worst run\n",
-                  (int)seed, level, from, to, layer, all.broken, runs,
+                  "nm: %d of %d failed; %.2f Newton steps per time step, %.2f "
+                  "in the worst run\n",
+                  (int)seed, level, from, to, layer, all.failed, runs,
                   all.cycles, all.max_cycles);
     return all;
 }

@@ -1,54 +1,60 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Random pairs of ground surfaces in random steel contacts: whether runs are
- * complete although the film is thinner than the roughness. */
+/* Random pairs of ground surfaces in random steel contacts whose film thickness
+ * is below the roughness: number of complete runs and their cost. */
 #ifndef TESTS_SUPPORT_GROUND_H
 #define TESTS_SUPPORT_GROUND_H
 
 #include "overroll/run.h"
 
 typedef struct test_ground {
-    bool hot, inside;                   /* at T = 0 under the whole film */
-    double ph, slide, stress, lambda;   /* GPa, SRR, MPa or 0, film over Rq */
+    bool hot, inside; /* inside: roughness is in the whole film at T = 0 */
+    double ph, slide; /* GPa; slide-to-roll ratio */
+    double stress;    /* Eyring stress, MPa; 0: Newtonian */
+    double lambda;    /* film thickness of smooth surfaces relative to Rq */
     double Rq[2], slope[2], longest[2]; /* um, 1, um */
-    double H_min, P_max, T;             /* of the run, where it ended */
-    double layer, share;                /* nm, 0: none; of the load, the mean */
+    double H_min, P_max, T;             /* extremes of the run; its last T */
+    double layer; /* thickness of the boundary layer, nm; 0: none */
+    double share; /* mean asperity load share */
     int level, steps, cycles, retries, marked;
     ovr_status status;
     ovr_error err;
 } test_ground;
 
 /*
- * R = 6.84 mm, steel, an oil of 11 mPa s and 16 1/GPa; lambda of the smooth
- * central film, `from` to `to`; SRR -1 to 1; both surfaces with an Rq of 0.05
- * to 0.4 um and slopes of 0.01 to 0.08, self-affine, Hurst 0.8, waves from 2.5
- * to 10 um, as profiles are filtered, up to what gives that slope.  Even seeds
- * are Newtonian at 0.4 to 0.7 GPa, odd ones thin by Eyring's law with 3 to 8
- * MPa at 0.5 to 1.5 GPa, those that end in 9 with heat.  To where the slower
- * surface has filled the contact.
+ * Runs a random pair until the slower surface has passed the contact.
+ *
+ *   contact   steel, R = 6.84 mm, SRR -1 to 1, 11 mPa s, 16 1/GPa; the smooth
+ *             central film thickness is lambda Rq, lambda = `from` to `to`
+ *   surfaces  self-affine, Hurst exponent 0.8, each with an Rq of 0.05 to 0.4
+ *             um and an rms slope of 0.01 to 0.08; the shortest wavelength is
+ *             2.5 to 10 um, and the longest follows from the slope
+ *   lubricant even seeds: Newtonian at 0.4 to 0.7 GPa; odd seeds: Eyring
+ *             model, 3 to 8 MPa, at 0.5 to 1.5 GPa; with heat if the seed ends
+ *             in 9
  */
 test_ground test_ground_run(uint64_t seed, double from, double to, int level);
 
-/* The same pairs under the whole film of the steady start, and a step. */
+/* Solves the steady start with these surfaces in the whole film, and a step. */
 test_ground test_ground_start(uint64_t seed, double from, double to, int level);
 
-/* Those by Eyring's law, with a layer of so many nm that falls by e in a third
- * of them. */
+/* Runs a random pair with the Eyring model and asperity contact of a boundary
+ * layer of thickness `layer` (nm), which decays within a third of it. */
 test_ground test_ground_touching(uint64_t seed, double from, double to,
                                  int level, double layer);
 
-/* What becomes of many of them, printed run by run. */
+/* Runs `runs` pairs by test_ground_touching and prints them. */
 typedef struct test_ground_tally {
-    int broken;        /* off before their end */
-    int max_retries;   /* of a run */
-    double cycles;     /* Newton's steps a time step, the mean of all */
-    double max_cycles; /* of a run, the mean of its steps */
+    int failed;        /* number of incomplete runs */
+    int max_retries;   /* maximum of all runs */
+    double cycles;     /* Newton steps per time step, mean of all runs */
+    double max_cycles; /* maximum of the means of the runs */
 } test_ground_tally;
 test_ground_tally test_ground_survey(uint64_t seed, int runs, double from,
                                      double to, int level, double layer);
 
-/* The mean of the contact share of a run of lambda 1, a film of 194 nm over
- * surfaces of 137 nm each, waves of 0.15 to 1 b, by amplitude exp(-h/decay);
- * nm. */
+/* Returns the mean asperity load share of a run with lambda = 1: film thickness
+ * 194 nm, Rq of both surfaces 137 nm, wavelengths 0.15 to 1 b, asperity
+ * pressure amplitude exp(-h/decay), decay in nm. */
 double test_ground_share(double amplitude, double decay, int level);
 
 #endif

@@ -79,12 +79,12 @@ static ovr_simulation *begin(run *r, ovr_error *err)
     return sim;
 }
 
-/* The past of a step: pressure, and q once and twice ago. */
+/* State before a step: pressure, and q of the two previous times. */
 typedef struct past {
     double *P, *q[2], H0, T, dT;
 } past;
 
-static past take_past(size_t n)
+static past make_past(size_t n)
 {
     double *all = calloc(3 * n, sizeof *all);
     assert_non_null(all);
@@ -102,7 +102,8 @@ static void keep(past *p, const ovr_state *s, double dT)
     p->dT = dT;
 }
 
-/* The step of dT after that past, by the dense Newton. */
+/* Solves a step of dT from that state by the dense Newton method. Returns true
+ * if it converges to a positive film thickness. */
 static bool dense_step(const run *r, const past *p, double dT)
 {
     dense *d = dense_make(r->M, r->L, r->level, OVR_UPSTREAM2);
@@ -131,16 +132,17 @@ static bool dense_step(const run *r, const past *p, double dT)
     return solved;
 }
 
-static void say(const run *r, const past *p, const char *what, bool missed)
+static void print_end(const run *r, const past *p, const char *what,
+                      bool missed)
 {
     print_message("    M %.5g L %.4g outlet %.3f level %d dT %.3g D%s, after T "
                   "= %.4f: %s%s\n",
                   r->M, r->L, r->outlet, r->level, r->steps_of_mesh,
                   r->dented ? ", dent" : "", p->T, what,
-                  missed ? " (the dense Newton converges)" : "");
+                  missed ? " (the dense Newton method converges)" : "");
 }
 
-/* Steps until the end, or one that is refused or marked. */
+/* Marches to the end, or to a step that fails or is flagged. */
 static void march(const run *r, ovr_simulation *sim, bool check,
                   test_histories *all)
 {
@@ -148,7 +150,7 @@ static void march(const run *r, ovr_simulation *sim, bool check,
     const ovr_observation *o = ovr_simulation_observation(sim);
     double dT = r->steps_of_mesh * s->D;
     ovr_error err = {0};
-    past p = take_past(s->n);
+    past p = make_past(s->n);
     bool stopped = false;
     keep(&p, s, 0);
     while (s->T < 1.2 && !stopped) {
@@ -163,7 +165,7 @@ static void march(const run *r, ovr_simulation *sim, bool check,
         all->refused++;
         all->touching += strstr(err.message, "touch") != NULL;
         all->missed += missed;
-        say(r, &p, err.status ? err.message : "marked", missed);
+        print_end(r, &p, err.status ? err.message : "marked", missed);
     }
     free(p.P);
 }
@@ -197,9 +199,9 @@ test_histories test_histories_run(uint64_t seed, long runs, bool check)
         ovr_history_free(r.load);
         ovr_history_free(r.speed);
     }
-    print_message("    %ld runs (%ld drawn again), %ld steps, %.2f cycles a "
-                  "step (at most %ld), %ld retries, %ld halved, %ld refused "
-                  "(%ld touch), %ld of them missed\n",
+    print_message("    %ld runs (%ld drawn again), %ld steps, %.2f cycles per "
+                  "step (at most %ld), %ld retries, %ld halved, %ld failed or "
+                  "flagged (%ld in contact), of which %ld have a solution\n",
                   all.runs, again, all.steps,
                   (double)all.cycles / (double)all.steps, all.maximum,
                   all.retries, all.substeps, all.refused, all.touching,

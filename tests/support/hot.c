@@ -33,7 +33,7 @@ test_hot test_hot_make(double M, double L, double S, double tau0,
     test_hot hot;
     c.M = M, c.L = L, c.slide_to_roll = S;
     c.alpha = 2.2e-8, c.modulus = 226e9, c.radius = 0.0127;
-    /* of which Roelands' relation gives z = 0.68 */
+    /* Roelands' relation gives z = 0.68. */
     c.viscosity = exp(2.2e-8 * 1.98e8 / 0.68 - 9.67);
     CHECK_OK(ovr_contact_resolve(&c, &hot.contact, &err), &err);
     CHECK_OK(ovr_lubricant_make(&hot.contact, OVR_ROELANDS,

@@ -12,14 +12,16 @@ typedef struct test_hot {
     ovr_heat heat;
 } test_hot;
 
-/* Points 5, 80 degC, mineral oil, steel, S0 = 1.1. */
+/* Returns heat parameters: 5 points, 80 degC, mineral oil, steel, S0 = 1.1. */
 ovr_heat_form test_heat_form(void);
 
-/* By Moes numbers; tau0 in Pa, 0: Newtonian; NULL: the form above. */
+/* Makes a contact of Moes' numbers and slide-to-roll ratio S. tau0 is in Pa, 0:
+ * Newtonian; form = NULL: test_heat_form. */
 test_hot test_hot_make(double M, double L, double S, double tau0,
                        const ovr_heat_form *form);
 
-/* With these options; with test_options on this level; or the test fails. */
+/* Creates a simulation with these options, or with test_options on this level;
+ * or fails the test. */
 ovr_simulation *test_hot_made(const test_hot *hot, const ovr_options *options);
 ovr_simulation *test_hot_simulation(const test_hot *hot, int level);
 

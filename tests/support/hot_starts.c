@@ -10,8 +10,8 @@
 
 typedef struct tally {
     int runs, failed, max_failed_cycles, coarse;
-    long cycles;          /* of those found */
-    int level_cycles[10]; /* most of a failure, by level */
+    long cycles;          /* cycles of all converged starts */
+    int level_cycles[10]; /* maximum of failed starts, by level */
     double max_defect, max_rise;
 } tally;
 
@@ -44,7 +44,7 @@ static void solve(tally *t, uint64_t seed)
     ovr_simulation *sim = ovr_setup_simulation(setup, NULL, &err);
     assert_non_null(sim);
     ovr_status status = ovr_simulation_steady(sim, &err);
-    if (status == OVR_IMPOSSIBLE) /* the mesh is too coarse for the film */
+    if (status == OVR_IMPOSSIBLE) /* the film is too thin for the grid */
         t->coarse++;
     else
         count(t, sim, status);
@@ -58,20 +58,20 @@ static void solve(tally *t, uint64_t seed)
 
 void test_hot_starts_survey(uint64_t seed, int runs)
 {
-    const double hottest = 5000;  /* Rise in K, of failures too */
-    const double program = 1.5e5; /* node cycles in the time of its start */
+    const double hottest = 5000;  /* temperature rise in K, failures included */
+    const double program = 1.5e5; /* start of the program in node cycles */
     tally t = {0};
     test_write_points("thinning.csv");
     for (uint64_t k = 0; t.runs < runs; k++)
         solve(&t, seed + k);
     double mean = (double)t.cycles / fmax(t.runs - t.failed, 1);
     print_message(
-        "    seeds %llu on: %d contacts, %d fail (%d cycles at most), "
-        "%.0f cycles in the mean; %.1e energy defect, %.0f K at most; "
-        "%d on too coarse a mesh\n",
+        "    seeds %llu on: %d contacts, %d failed (at most %d cycles), mean "
+        "%.0f cycles; energy balance error at most %.1e, temperature rise %.0f "
+        "K; %d more too thin for the grid\n",
         (unsigned long long)seed, t.runs, t.failed, t.max_failed_cycles, mean,
         t.max_defect, t.max_rise, t.coarse);
-    assert_true(100 * t.failed < 3 * runs + 100); /* 3 of 100, 1 of 10 */
+    assert_true(100 * t.failed < 3 * runs + 100); /* 3 in 100, 1 in 10 */
     for (int l = 0; l < 10; l++) {
         double nodes = 7 * exp2(l), normal = program + mean * nodes;
         assert_true(t.level_cycles[l] * nodes < 22 * normal);

@@ -9,27 +9,28 @@
 
 typedef struct tally {
     int runs, startless, failed, touching, retried, halved, marked, late;
-    long steps, cycles, retries, lagging; /* the most of a run */
+    long steps, cycles, retries;
+    long lagging; /* maximum of all runs */
 } tally;
 
 /* Steps whose temperatures a jump makes inconsistent: the jump, and both steps
  * whose difference in time includes it. */
 enum { AFTER_JUMP = 3 };
 
-static double arriving(void *data, double T)
+static double supplied(void *data, double T)
 {
     (void)T;
     return *(const double *)data;
 }
 
 /* The flooded start determines the flow rate of a supply ratio. */
-static ovr_status go(ovr_simulation *sim, const ovr_march *march, double share,
-                     bool *started, ovr_error *err)
+static ovr_status run(ovr_simulation *sim, const ovr_march *march, double share,
+                      bool *started, ovr_error *err)
 {
     enum { WAITING = 0 };
     ovr_status status = ovr_simulation_steady(sim, err);
     double flow = share * ovr_simulation_observation(sim)->outflow;
-    ovr_simulation_supply(sim, arriving, &flow, WAITING);
+    ovr_simulation_supply(sim, supplied, &flow, WAITING);
     if (!status)
         status = ovr_simulation_steady(sim, err);
     *started = !status;
@@ -44,19 +45,21 @@ static void add(tally *t, const ovr_simulation *sim)
     t->retries += s->retries;
     t->retried += s->retries > 0;
     t->halved += s->substeps > 0;
-    /* If the load jumps in one step, its heat lags, which is reported. */
+    /* After a load jump, temperatures lag, which is reported. */
     t->late += s->lagging > 0;
     t->marked += s->marked > s->lagging;
 }
 
-/* Number of steps flagged for their heat in steps of a quarter.  A load jump in
- * a starved film traps lubricant at the edge of the contact, in a pocket of a
- * few mesh sizes.  In a hot film under sliding the viscosities at the two
- * surfaces differ and lubricant accumulates in the pocket.  In seed 25323 its
- * pressure grows from 1.2 to 3.9 p_h, or to 1.5 p_h in an isothermal film or
- * without sliding.  The pocket moves by 1.5 mesh sizes in a step and heats a
- * node by 100 K.  This flags 19 of 43 steps, 20 of 86 with half the step, and
- * none of 172 with a quarter. */
+/* Returns the number of steps flagged for lagging temperatures in a run with a
+ * quarter of the time step.
+ *
+ * A load jump in a starved film traps lubricant at the edge of the contact, in
+ * a pocket of a few mesh sizes. In a hot film under sliding the viscosities at
+ * the two surfaces differ, and lubricant accumulates in the pocket. With seed
+ * 25323 its pressure increases from 1.2 to 3.9 p_h (isothermal or without
+ * sliding: to 1.5 p_h). The pocket moves by 1.5 mesh sizes in a step and heats
+ * a node by 100 K. For this reason 19 of 43 steps are flagged, 20 of 86 with
+ * half the step, and none of 172 with a quarter. */
 static long lagging_in_quarters(ovr_setup *setup, double share)
 {
     ovr_error err = {0};
@@ -65,7 +68,7 @@ static long lagging_in_quarters(ovr_setup *setup, double share)
     march.dT /= 4;
     ovr_simulation *sim = ovr_setup_simulation(setup, NULL, &err);
     assert_non_null(sim);
-    CHECK_OK(go(sim, &march, share, &started, &err), &err);
+    CHECK_OK(run(sim, &march, share, &started, &err), &err);
     long lagging = ovr_simulation_statistics(sim)->lagging;
     ovr_simulation_free(sim);
     return lagging;
@@ -85,7 +88,7 @@ static void try(tally *t, uint64_t seed)
     assert_non_null(sim);
     bool started;
     long marked = t->marked;
-    ovr_status status = go(sim, setup->march, share, &started, &err);
+    ovr_status status = run(sim, setup->march, share, &started, &err);
     t->runs++;
     t->startless += !started;
     if (started)
@@ -93,8 +96,8 @@ static void try(tally *t, uint64_t seed)
     long lagging = ovr_simulation_statistics(sim)->lagging;
     if (started && lagging > AFTER_JUMP) {
         long quarters = lagging_in_quarters(setup, share);
-        print_message("    seed %llu: heat late in %ld steps, with a quarter "
-                      "of the step in %ld\n",
+        print_message("    seed %llu: temperatures lag in %ld steps, with a "
+                      "quarter of the step in %ld\n",
                       (unsigned long long)seed, lagging, quarters);
         lagging = quarters;
     }
@@ -118,11 +121,10 @@ void test_jumps_survey(uint64_t seed, int runs)
     for (int k = 0; k < runs; k++)
         try(&t, seed + (uint64_t)k);
     print_message("    seeds %llu on: %d runs, %d without a start, %d failed, "
-                  "%d where surfaces touch, %d marked, %d whose heat came late "
-                  "(in %ld steps at most); %d "
-                  "tried steps again, "
-                  "%d halved some; %ld "
-                  "steps, %.2f cycles each, %ld retries\n",
+                  "%d where surfaces touch, %d flagged, %d with lagging "
+                  "temperatures (in at most %ld steps); %d with retries, %d "
+                  "with halved steps; %ld steps, %.2f cycles each, %ld "
+                  "retries\n",
                   (unsigned long long)seed, t.runs, t.startless, t.failed,
                   t.touching, t.marked, t.late, t.lagging, t.retried, t.halved,
                   t.steps, (double)t.cycles / (double)t.steps, t.retries);

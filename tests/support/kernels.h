@@ -8,8 +8,8 @@
 #include "multigrid/deformation.h"
 #include "multigrid/kernels.h"
 
-/* Returns a table of kernels for this machine: 0 is the plain one, then the
- * vector kernels; NULL past the last. */
+/* Returns table k of kernels for this machine, of which table 0 is the plain
+ * one; NULL if there is no table k. */
 const ovr_kernels *test_kernels(int k);
 
 /* Arrays of a grid in the layout of a table of kernels. */
@@ -29,10 +29,10 @@ typedef struct test_grid {
 
 test_grid test_grid_make(const ovr_kernels *run, size_t n);
 
-/* Means between nodes by the gap, else they are arithmetic. */
+/* Selects means between nodes by the gap in place of arithmetic means. */
 void test_grid_gap(test_grid *grid);
 
-/* Means by the gap that are logarithmic in 1/eta. */
+/* Selects means by the gap that are logarithmic in 1/eta. */
 void test_grid_logarithmic(test_grid *grid);
 
 /* Sets an Eyring model. */
@@ -45,15 +45,16 @@ void test_grid_skew(test_grid *grid);
  * gap, deformation and pressure. */
 void test_grid_film(const test_grid *grid, const ovr_fields *f);
 
-/* A pressure with a wet part, a dry end and a small disturbance, a film without
- * deformation, a right-hand side; the properties and the residual that belong
- * to them.  For the plain kernels. */
+/* Fills the arrays of a plain grid: a pressure with a full-film region, a
+ * cavitated end and a small disturbance; a film thickness without deformation;
+ * a right-hand side; properties and residual of these. */
 void test_grid_fill(const test_grid *grid, uint64_t seed);
 
-/* All arrays of a plain one. */
+/* Copies all arrays of a plain grid. */
 void test_grid_copy(const test_grid *plain, const test_grid *to);
 
-/* One of its arrays in the order of the nodes, until the next call. */
+/* Returns an array of the grid in the order of the nodes, until the next call.
+ */
 const double *test_grid_read(const test_grid *grid, const double *x);
 
 #endif

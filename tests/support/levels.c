@@ -17,7 +17,7 @@ typedef struct seen {
     double T[MAX], H_cen[MAX], minimum[MAX], mu[MAX], H_min;
     int level;
     double mesh;
-    bool told; /* that the accuracy was not reached */
+    bool warned; /* of an accuracy that was not reached */
 } seen;
 
 static seen here, finer; /* large */
@@ -37,11 +37,11 @@ static ovr_status watch(void *data, const ovr_simulation *sim, ovr_error *err)
     return OVR_OK;
 }
 
-static void hear(void *data, ovr_message_kind kind, const char *text)
+static void listen(void *data, ovr_message_kind kind, const char *text)
 {
     (void)data;
     if (kind == OVR_MESSAGE_WARNING && strstr(text, "was chosen for an error"))
-        watched->told = true;
+        watched->warned = true;
 }
 
 static void solve(const char *text, const char *level, seen *into)
@@ -53,15 +53,15 @@ static void solve(const char *text, const char *level, seen *into)
                : OVR_BAD_INPUT,
              &err);
     if (strcmp(level, "auto") != 0 && strcmp(level, "usual") != 0) {
-        /* On a level that is given nothing is asked for of it. */
+        /* With a given level no accuracy may be requested. */
         ovr_case_unset(c, "domain.accuracy");
         ovr_case_unset(c, "domain.accuracy_of");
     }
     into->count = 0;
-    into->told = false;
+    into->warned = false;
     watched = into;
     how.observe = watch;
-    how.say = hear;
+    how.say = listen;
     ovr_run *run = ovr_run_create(c, &how, NULL, &err);
     CHECK_OK(run ? ovr_run_execute(run, &err) : err.status, &err);
     const ovr_run_info *about = ovr_run_get_info(run);
@@ -80,7 +80,8 @@ static void refine(const char *text, const char *chosen)
     solve(text, level, &finer);
 }
 
-/* rms in time over the mean: the finer run between its two nearest times. */
+/* Returns the rms difference over time relative to the mean. The finer run is
+ * interpolated linearly in time. */
 static double error_of(const double *ours, const double *theirs)
 {
     double sum = 0, mean = 0;
@@ -91,7 +92,7 @@ static double error_of(const double *ours, const double *theirs)
             j++;
         if (finer.count > 1) {
             double share = (T - finer.T[j - 1]) / (finer.T[j] - finer.T[j - 1]);
-            share = fmin(share, 1); /* the last step may be cut */
+            share = fmin(share, 1); /* the last step may be shorter */
             value = theirs[j - 1] + share * (theirs[j] - theirs[j - 1]);
         }
         sum += (ours[i] - value) * (ours[i] - value);
@@ -105,14 +106,15 @@ static double error_of_centre(void)
     return error_of(here.H_cen, finer.H_cen);
 }
 
-/* The estimate after the run may be too large: told then is no miss. */
+/* Counts errors above the target. Fails the test if there was no warning; a
+ * warning may be unnecessary. */
 static void judge(uint64_t seed, int k, double target, double error,
                   int *missed)
 {
     printf("  %2d: level %d, target %.1e, %.1e%s\n", k, here.level, target,
-           error, here.told ? ", told" : "");
+           error, here.warned ? ", warning" : "");
     *missed += error > target;
-    if (error > target && !here.told)
+    if (error > target && !here.warned)
         fail_msg("seed %llu, case %d: %.2g instead of %.2g",
                  (unsigned long long)seed, k, error, target);
 }

@@ -1,28 +1,28 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* level = auto for random cases: actual and requested errors. */
+/* Errors of random cases on the levels chosen by level = auto and usual. */
 #ifndef TESTS_SUPPORT_LEVELS_H
 #define TESTS_SUPPORT_LEVELS_H
 
 #include <stdint.h>
 
-/* Random steady contacts, M = 5 to 1000, L = 1 to 15, with a requested error
- * of H_cen or H_min of 1e-2 to 1e-4, compared with two levels more. Fails if
- * an error exceeds the request without a warning of the run, or if more than a
- * tenth of the errors do. */
+/* Solves random steady contacts, M = 5 to 1000, L = 1 to 15, with a requested
+ * error of H_cen of 1e-2 to 1e-4 (H_min: 5 times that), and compares them with
+ * two finer levels. Fails the test if an error exceeds the request without a
+ * warning, or if more than a tenth of the errors exceed it. */
 void test_levels_steady(uint64_t seed, int cases);
 
-/* The same of runs with a dent or a wave that rolls or slides through, H_cen
- * to 3e-3, rms in time. */
+/* Does the same for runs with a dent or a wave that passes the contact, with a
+ * requested rms error of H_cen of 3e-3. */
 void test_levels_in_time(uint64_t seed, int cases);
 
-/* level = usual: films and friction, rms in time, on random runs of five kinds
- * (a dent that slides, under a ramp of load, starved, hot; a ground surface),
- * asked for to 1e-3.  Fails where one is beyond 4e-3, or more than a fifth are
- * beyond 1e-3. */
+/* Runs random cases of five kinds with level = usual: a sliding dent, also with
+ * a load ramp, starved or with heat, and a ground surface. Fails the test if an
+ * rms error of film thicknesses or friction exceeds 4e-3, or if more than a
+ * fifth exceed 1e-3. */
 void test_levels_usual(uint64_t seed, int cases);
 
-/* The same of random steady contacts whose surfaces touch; fails beyond 2e-3.
- */
+/* Does the same for random steady contacts with asperity contact. Fails the
+ * test if an error exceeds 2e-3. */
 void test_levels_touching(uint64_t seed, int cases);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The artificial run of dent.h as a result file. */
+/* Writes the artificial run of dent.h to a result file. */
 #ifndef TESTS_SUPPORT_MADE_H
 #define TESTS_SUPPORT_MADE_H
 
@@ -8,7 +8,7 @@
 
 enum { TEST_MADE_NODES = 225, TEST_MADE_SHOTS = 11 };
 
-/* Eleven snapshots from T = 0 to 6; a NULL title is the general one. */
+/* Writes eleven snapshots from T = 0 to 6. title = NULL: default title. */
 void test_make_result(const char *path, const char *title, bool physical);
 
 #endif

@@ -8,8 +8,8 @@
 
 static test_listed *listed;
 
-/* By file, as they are linked, and by line: compilers call them in any order.
- */
+/* Adds a test to the list, which is sorted by file (in the order of linking)
+ * and line. Compilers call this function in any order. */
 void test_list(test_listed *one)
 {
     test_listed **at = &listed;
@@ -21,8 +21,8 @@ void test_list(test_listed *one)
     *at = one;
 }
 
-/* "build/tests/unit/arena_test" ends in "unit/arena_test", as does
- * "tests/unit/arena_test.c" without its suffix. */
+/* True if a program name such as "build/tests/unit/arena_test" is that of a
+ * file such as "tests/unit/arena_test.c". */
 static bool is_of(const char *file, const char *called)
 {
     const char *name = strstr(file, "tests/") + strlen("tests/");

@@ -25,10 +25,10 @@ static bool all_finite(size_t n, const double *values)
     return true;
 }
 
-/* NAN stands for "none" in what concerns the spike, in friction coefficients
- * without b/R, and in what heat is asked for.  A gap in the cavity that is not
- * smaller than the film is NAN too. */
-static bool may_be_none(const ovr_observable *row)
+/* True for quantities that may be NAN, which means "not defined": friction
+ * coefficients without b/R, quantities of heat in isothermal films, and the
+ * minimum gap in the cavity if it is not smaller than the film thickness. */
+static bool may_be_undefined(const ovr_observable *row)
 {
     const char *name = row->name ? row->name : "";
     return strstr(name, "friction_coefficient") ||
@@ -41,8 +41,8 @@ static bool observed_numbers(const ovr_observation *o)
 {
     const ovr_observable *row;
     for (size_t k = 0; (row = ovr_observable_at(k)); k++)
-        if (row->axes == OVR_AT_STEPS && !may_be_none(row) && !row->needs &&
-            !isfinite(ovr_observable_value(row, o)) &&
+        if (row->axes == OVR_AT_STEPS && !may_be_undefined(row) &&
+            !row->needs && !isfinite(ovr_observable_value(row, o)) &&
             isfinite(o->P_spike + o->P_spike_located))
             return false;
     return isfinite(o->H_min + o->H_min_located + o->H_cen + o->P_max +
@@ -88,8 +88,8 @@ test_ending test_steady_case(uint64_t seed)
     return end;
 }
 
-/* A local feature, up to `deep` high; comes from before the inlet when its
- * surface moves fast enough, grows in place when not. */
+/* Draws a local feature, up to `deep` high. It starts upstream of the inlet if
+ * its surface is fast enough, and otherwise grows in place. */
 static ovr_feature_form random_feature(uint64_t *random, double deep,
                                        double u[2], double inlet)
 {
@@ -192,7 +192,8 @@ test_ending test_transient_case(uint64_t seed)
     return end;
 }
 
-/* A failure is named by a status other than bad input and a line of words. */
+/* True if a failure has a status other than bad input and a message of one
+ * line. */
 static bool named(const ovr_error *err)
 {
     return (err->status == OVR_NOT_CONVERGED ||

@@ -11,7 +11,7 @@
 typedef struct tally {
     int runs, failed, touching, refused;
     long steps, cycles, retries, marked, late;
-    long varying; /* hot films that may be late */
+    long varying; /* hot runs in which temperatures may lag */
 } tally;
 
 /* True for a thermal film with a varying load, speed or sliding: temperatures
@@ -21,7 +21,7 @@ static bool heat_varies(const char *text)
     return strstr(text, "[heat]") && strstr(text, "history = ");
 }
 
-static void take(tally *t, const ovr_run *run, const char *text)
+static void count(tally *t, const ovr_run *run, const char *text)
 {
     const ovr_statistics *s = ovr_simulation_statistics(
         ovr_run_get_info(run)->sim);
@@ -46,7 +46,7 @@ static void try(tally *t, uint64_t seed, int level)
     t->refused += run == NULL;
     if (run) {
         ovr_run_execute(run, &err);
-        take(t, run, d.text);
+        count(t, run, d.text);
     }
     t->touching += run && err.status == OVR_IMPOSSIBLE;
     t->failed += run && err.status && err.status != OVR_IMPOSSIBLE;
@@ -66,9 +66,9 @@ void test_mixed_survey(uint64_t seed, int runs, int level)
     for (int k = 0; k < runs; k++)
         try(&t, seed + (uint64_t)k, level + k % 2);
     print_message("    seeds %llu on: %d runs, %d failed, %d refused, %d where "
-                  "surfaces touch; %ld with marked steps, %ld whose "
-                  "heat came late, of %ld; %ld steps, %.2f "
-                  "cycles each, %ld retries\n",
+                  "surfaces touch; %ld flagged steps; %ld of %ld hot runs "
+                  "with lagging temperatures; %ld steps, %.2f cycles each, %ld "
+                  "retries\n",
                   (unsigned long long)seed, t.runs, t.failed, t.refused,
                   t.touching, t.marked, t.late, t.varying, t.steps,
                   (double)t.cycles / (double)t.steps, t.retries);

@@ -9,14 +9,14 @@
 #include "contact/film_formula.h"
 #include "test.h"
 
-static double *take(size_t n)
+static double *allocate(size_t n)
 {
     double *x = calloc(n, sizeof *x);
     assert_non_null(x);
     return x;
 }
 
-/* Integral of ln|x - y| over the mesh at d, over pi. */
+/* Integral of ln|x - y|/pi over the grid interval at distance d D. */
 static double influence(double d, double D)
 {
     double a = (d + 0.5) * D, b = (d - 0.5) * D;
@@ -40,7 +40,7 @@ dense *dense_make(double M, double L, int level, ovr_scheme scheme)
     double **all[] = {&d->X, &d->gap,    &d->F,   &d->P,  &d->H,
                       &d->q, &d->kernel, &d->rho, &d->eta};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
-        *all[k] = take(n);
+        *all[k] = allocate(n);
     dense_outlet(d, 1.5);
     d->H0 = ovr_film_central_moes(M, L) - 0.6;
     return d;
@@ -98,14 +98,14 @@ static double eps(const dense *d, size_t i)
     return d->q[i] * d->H[i] * d->H[i] / (eta * c->contact.lambda);
 }
 
-/* (y - x)/ln(y/x), by its series where both are nearly the same */
+/* Returns (y - x)/ln(y/x), by a series if both are nearly equal. */
 static double log_mean(double x, double y)
 {
     double d = log(y / x);
     return fabs(d) < 1e-4 ? 0.5 * (x + y) * (1 - d * d / 12) : (y - x) / d;
 }
 
-/* Between nodes i and i + 1. */
+/* Returns the conductance between nodes i and i + 1. */
 static double conductance(const dense *d, size_t i)
 {
     double a = pow(d->H[i], 3), b = pow(d->H[i + 1], 3);
@@ -116,8 +116,8 @@ static double conductance(const dense *d, size_t i)
     return d->in_line ? (f / a + g / b) / (1 / a + 1 / b) : 0.5 * (f + g);
 }
 
-/* What the mean speed carries out of cell i less in, over D; towards -x what
- * comes from the right. */
+/* Returns the net outflow of cell i by the mean speed, divided by D. With
+ * `backward` the flow is in the direction of -x. */
 static double wedge_of(const dense *d, size_t i)
 {
     const double *q = d->q;
@@ -129,7 +129,7 @@ static double wedge_of(const dense *d, size_t i)
                   : d->w[0] * q[i] + d->w[1] * q[i - 1] + d->w[2] * q[i - 2];
 }
 
-/* Flow in less flow out of cell i, less the stored change: N_i - F_i. */
+/* Returns the net inflow of cell i minus the rate of storage, N_i - F_i. */
 static double equation(const dense *d, size_t i)
 {
     double D = d->D;
@@ -153,8 +153,8 @@ static void equations(dense *d, double *r)
     r[d->n - 2] = load_defect(d);
 }
 
-/* The equations where unknown c is larger by h, and back: the film is linear
- * in it. */
+/* Computes the equations with unknown c increased by h and restores it. The
+ * film thickness is linear in the unknowns. */
 static void nudge(dense *d, size_t c, double h, double *r)
 {
     bool pressure = c + 2 < d->n;
@@ -214,14 +214,14 @@ static double newton_step(dense *d, gsl_matrix *J, gsl_vector *x,
     return biggest;
 }
 
-/* The last step's change. */
+/* Returns the change of the last step. */
 static double solve(dense *d, int maximum)
 {
     size_t m = d->n - 1;
     gsl_matrix *J = gsl_matrix_alloc(m, m);
     gsl_vector *x = gsl_vector_alloc(m);
     gsl_permutation *p = gsl_permutation_alloc(m);
-    double *r = take(m), *moved = take(m), change = 1;
+    double *r = allocate(m), *moved = allocate(m), change = 1;
     int step = 0;
     while (change > 1e-9 && step++ < maximum)
         change = newton_step(d, J, x, p, r, moved);

@@ -17,7 +17,7 @@ typedef struct draw {
 typedef struct tally {
     int solved, fallen, failed, wrong;
     long cycles;
-    double finest; /* least D/H^(2/3) of those that fell back */
+    double finest; /* minimum D/H^(2/3) of solutions of second order */
 } tally;
 
 static ovr_simulation *simulation(const draw *d, const ovr_options *o)

@@ -16,7 +16,7 @@
 
 enum { SETTINGS = 11 };
 
-/* Steel; 20 steps of one mesh. */
+/* Steel bodies on a coarse grid. */
 static const char *const base[] = {"body 1.modulus=206 GPa",
                                    "body 2.modulus=206 GPa",
                                    "contact.viscosity=0.12 Pa.s",
@@ -26,17 +26,16 @@ static const char *const base[] = {"body 1.modulus=206 GPa",
                                    "output.checkpoint=1 ms",
                                    "solver.tolerance=1e-9"};
 
-/* What moves in a run in time. */
+/* A transient run of 20 steps with a moving dent. */
 static const char *const moving[] = {
     "time.end=0.58", "feature dent.shape=dent", "feature dent.depth=0.02",
     "feature dent.width=2", "feature dent.start=-5"};
 
-/* What is pressed together: two cylinders that roll with some sliding, or an
- * element, and what its way brings of what a case else says by itself. */
+/* Contacts: two cylinders in rolling and sliding, or a machine element. */
 static const struct contact {
     const char *name;
-    unsigned brings;
-    double first_order; /* how far oil may be off in it, see check_kept */
+    unsigned determines; /* bits of features that the element determines */
+    double first_order;  /* mass balance error at first order, check_balances */
     const char *set[SETTINGS];
 } cylinders = {NULL,
                0,
@@ -54,7 +53,7 @@ static const struct contact elements[] = {
      {"gear.module=3 mm", "gear.teeth_1=20", "gear.teeth_2=40",
       "gear.centre=90 mm", "gear.face=20 mm", "gear.speed=3000 rpm",
       "gear.torque=100 N.m"}},
-    /* On its flank and over the nose; its mean speed is negative there. */
+    /* Contact on flank and nose; the mean speed is negative on the nose. */
     {"cam",
      HISTORIES | 1U << OVR_MODEL_REVERSAL,
      0.02,
@@ -71,7 +70,7 @@ static const struct contact elements[] = {
 };
 enum { ELEMENTS = sizeof elements / sizeof *elements };
 
-/* How a case turns a part on; some parts have several ways. */
+/* Settings that activate a model feature; some features have several rows. */
 static const struct way {
     ovr_model_feature part;
     const char *set[SETTINGS];
@@ -163,7 +162,8 @@ static void set(ovr_case *c, const char *const *settings, size_t count)
         CHECK_OK(ovr_case_assign(c, settings[k], "test", &err), &err);
 }
 
-/* In time unless one of them is steady; the word for time itself counts. */
+/* Makes a case of both features: transient, unless one requires a steady
+ * solution. */
 static ovr_case *combine(const struct contact *contact, const struct way *a,
                          const struct way *b)
 {
@@ -180,9 +180,9 @@ static ovr_case *combine(const struct contact *contact, const struct way *a,
     return c;
 }
 
-/* ------------------------------------------------------------ what is kept */
+/* ---------------------------------------------------------------- balances */
 
-/* The solution that a run ends in, bit by bit. */
+/* Solution at the end of a run, for bitwise comparison. */
 typedef struct ending {
     size_t n;
     long step;
@@ -214,11 +214,11 @@ static void check_same(const ending *a, const ending *b)
     assert_memory_equal(a->H, b->H, a->n * sizeof *a->H);
 }
 
-/* Mass-conserving cavitation: by the fluxes' own identity, of which a step may
- * leave the residual that its tolerance allows; else to the discretization of
- * this coarse mesh, of first or second order.  (On levels 5 to 8 first order
- * leaves 0.153, 0.079, 0.040, 0.020 of the gear's flow.) */
-static void check_kept(const ovr_run *run, double first_order)
+/* Checks the balances of load and mass. Mass-conserving cavitation conserves
+ * mass within the algebraic tolerance. Otherwise the error is the
+ * discretization error of this coarse grid. (The error of first order on levels
+ * 5 to 8 is 0.153, 0.079, 0.040 and 0.020 of the flow of the gear.) */
+static void check_balances(const ovr_run *run, double first_order)
 {
     const ovr_run_info *info = ovr_run_get_info(run);
     const ovr_observation *o = ovr_simulation_observation(info->sim);
@@ -233,7 +233,7 @@ static void check_kept(const ovr_run *run, double first_order)
 
 /* ------------------------------------------------------------------ killed */
 
-enum { KILLED_AT = 5 }; /* adaptive runs take 8 steps or more */
+enum { KILLED_AT = 5 }; /* adaptive runs have 8 steps or more */
 
 static bool is_late(void *calls)
 {
@@ -242,7 +242,7 @@ static bool is_late(void *calls)
     return false;
 }
 
-/* Begun in a process that is killed on the way. */
+/* Runs a case in a process that is killed before the end. */
 static void run_killed(ovr_case *c, const char *path)
 {
     pid_t child = fork();
@@ -281,8 +281,8 @@ static void check_resumed(ovr_case *c, const char *path, const ending *whole)
 
 /* -------------------------------------------------------------------- walk */
 
-/* What a part is nothing without. */
-static ovr_model_feature underneath(ovr_model_feature part)
+/* Returns the feature that a feature requires, or the feature itself. */
+static ovr_model_feature required_by(ovr_model_feature part)
 {
     if (part == OVR_MODEL_SUPPLY || part == OVR_MODEL_PASSES)
         return OVR_MODEL_CONSERVING;
@@ -297,7 +297,7 @@ static const ovr_conflict *together(ovr_model_feature a, ovr_model_feature b)
                               ovr_model_feature_bit(b, true));
 }
 
-/* NULL: both work. */
+/* Returns the reason why two features cannot be combined; NULL: they can. */
 static const ovr_conflict *refused(const struct way *a, const struct way *b)
 {
     ovr_model_feature parts[4] = {a->part, b->part, OVR_MODEL_TIME,
@@ -309,8 +309,8 @@ static const ovr_conflict *refused(const struct way *a, const struct way *b)
         for (size_t j = 0; j < i; j++)
             if (together(parts[i], parts[j]))
                 return together(parts[i], parts[j]);
-    const ovr_model_feature under[2] = {underneath(parts[0]),
-                                        underneath(parts[1])};
+    const ovr_model_feature under[2] = {required_by(parts[0]),
+                                        required_by(parts[1])};
     for (size_t i = 0; i < 2; i++)
         if (together(under[i], parts[1 - i]))
             return together(under[i], parts[1 - i]);
@@ -319,14 +319,14 @@ static const ovr_conflict *refused(const struct way *a, const struct way *b)
     return together(parts[0], parts[1]);
 }
 
-/* Another value of the same key would only replace the first. */
+/* True if both features are values of the same key. */
 static bool exclude_each_other(const struct way *a, const struct way *b)
 {
     ovr_model_feature_info one = ovr_model_feature_at((int)a->part),
                            other = ovr_model_feature_at((int)b->part);
     bool same = !strcmp(one.section, other.section);
     if (a->part == OVR_MODEL_WEAR || b->part == OVR_MODEL_WEAR)
-        return same; /* it has a law of its own */
+        return same; /* wear requires a law */
     return same && !strcmp(one.key, other.key);
 }
 
@@ -356,7 +356,7 @@ static void check_works(ovr_case *c, const char *path, bool marches,
         return;
     }
     CHECK_OK(ovr_run_execute(run, &err), &err);
-    check_kept(run, first_order);
+    check_balances(run, first_order);
     bool transient = ovr_run_get_info(run)->transient;
     ending whole = keep(run);
     ovr_run_free(run);
@@ -365,7 +365,8 @@ static void check_works(ovr_case *c, const char *path, bool marches,
     drop(&whole);
 }
 
-static void tell(const char *one, const char *other, bool refused, bool marches)
+static void print_pair(const char *one, const char *other, bool refused,
+                       bool marches)
 {
     print_message("%s, %s%s\n", one, other,
                   refused   ? ": refused"
@@ -391,7 +392,7 @@ void test_walk_pairs(const char *folder, int every)
                 continue;
             bool marches = !why && pairs % every == 0;
             ovr_case *c = combine(&cylinders, one, other);
-            tell(name_of(one), name_of(other), why, marches);
+            print_pair(name_of(one), name_of(other), why, marches);
             if (why)
                 check_refused(c, why);
             else
@@ -408,11 +409,13 @@ void test_walk_pairs(const char *folder, int every)
 
 /* ---------------------------------------------------------------- elements */
 
-/* What the way of an element cannot be combined with, as the table has it. */
+/* Returns the reason why an element cannot be combined with a feature; NULL: it
+ * can. */
 static const ovr_conflict *refused_by(const struct contact *element,
                                       const struct way *w)
 {
-    unsigned on = element->brings | 1U << w->part | 1U << underneath(w->part);
+    unsigned on = element->determines | 1U << w->part |
+                  1U << required_by(w->part);
     if (in_time(w))
         on |= 1U << OVR_MODEL_TIME;
     return ovr_conflict_among(on);
@@ -429,7 +432,7 @@ static const char *own_refusal(const struct contact *element,
         w->part == OVR_MODEL_RADIUS)
         return "] already determines the time ";
     if (!strcmp(element->name, "cam") && w->part == OVR_MODEL_STRESS)
-        return "surface 2 stands still"; /* stresses in both */
+        return "surface 2 stands still"; /* ways has stresses in both */
     return NULL;
 }
 
@@ -453,7 +456,7 @@ void test_walk_elements(const char *folder, int every)
             const char *own = own_refusal(element, w);
             bool marches = !why && !own && pairs % every == 0;
             ovr_case *c = combine(element, w, w);
-            tell(element->name, name_of(w), why || own, marches);
+            print_pair(element->name, name_of(w), why || own, marches);
             if (own)
                 check_own_refusal(c, own);
             else if (why)

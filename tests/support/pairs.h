@@ -4,12 +4,13 @@
 #ifndef TESTS_SUPPORT_PAIRS_H
 #define TESTS_SUPPORT_PAIRS_H
 
-/* Resolves all pairs; those of which nothing is refused march, every
- * `every`-th, are killed on the way, resumed to the same bits, and keep mass
- * and load.  Prints what was walked; files go to `folder`. */
+/* Resolves and prints all pairs. Every `every`-th pair that is not rejected is
+ * run: load and mass are conserved, and a run that is killed and resumed gives
+ * the same bits. Files are written to `folder`. */
 void test_walk_pairs(const char *folder, int every);
 
-/* The same of each part with a gear, a cam and a bearing. */
+/* Does the same for each feature in combination with a gear, a cam and a roller
+ * bearing. */
 void test_walk_elements(const char *folder, int every);
 
 #endif

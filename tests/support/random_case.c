@@ -21,7 +21,7 @@ static bool chance(test_random_case *d, double share)
     return draw(d, 0, 1) < share;
 }
 
-__attribute__((format(printf, 2, 3))) static void say(test_random_case *d,
+__attribute__((format(printf, 2, 3))) static void add(test_random_case *d,
                                                       const char *words, ...)
 {
     va_list values;
@@ -32,7 +32,8 @@ __attribute__((format(printf, 2, 3))) static void say(test_random_case *d,
     assert_true((size_t)d->length < sizeof d->text);
 }
 
-/* rate, stress of a law with a knee at 5 MPa and a plateau that rises slowly */
+/* Writes shear rates and stresses of a rheological model that is Newtonian
+ * below 5 MPa and whose stress increases slowly above. */
 void test_write_points(const char *path)
 {
     FILE *out = fopen(path, "w");
@@ -50,13 +51,13 @@ static void lubricant(test_random_case *d)
 {
     double stress = exp(draw(d, log(2), log(15))), n = draw(d, 0.3, 0.8);
     int law = (int)draw(d, 0, 4);
-    say(d, "[lubricant]\nalpha = 17 1/GPa\np0 = 198 MPa\nz = 0.68\n");
+    add(d, "[lubricant]\nalpha = 17 1/GPa\np0 = 198 MPa\nz = 0.68\n");
     if (law == 0)
-        say(d, "rheology = eyring\neyring_stress = %.6g MPa\n", stress);
+        add(d, "rheology = eyring\neyring_stress = %.6g MPa\n", stress);
     else if (law == 3)
-        say(d, "rheology = table\nrheology_file = thinning.csv\n");
+        add(d, "rheology = table\nrheology_file = thinning.csv\n");
     else
-        say(d,
+        add(d,
             "rheology = carreau\ncarreau_form = %s\ncarreau_n = %.6g\n"
             "carreau_stress = %.6g MPa\n",
             law == 1 ? "rate" : "stress", n, stress);
@@ -66,7 +67,7 @@ static void feature(test_random_case *d, int surface, double H, double D)
 {
     static const char *const shapes[] = {"dent", "bump", "ridge"};
     int shape = (int)draw(d, 0, 3);
-    say(d,
+    add(d,
         "[feature d%d]\nsurface = %d\nshape = %s\n%s = %.6g\nwidth = %.6g\n"
         "arrival = %.6g\n",
         surface, surface, shapes[shape], shape ? "height" : "depth",
@@ -76,7 +77,7 @@ static void feature(test_random_case *d, int surface, double H, double D)
 
 static void roughness(test_random_case *d, int surface, double H, double D)
 {
-    say(d,
+    add(d,
         "[feature r%d]\nsurface = %d\nshape = roughness\nRq = %.6g\n"
         "rolloff = %.6g\nshortest = %.6g\nlength = %.6g\nseed = %d\n"
         "start = %.6g\n",
@@ -84,17 +85,17 @@ static void roughness(test_random_case *d, int surface, double H, double D)
         draw(d, 2, 5), (int)draw(d, 1, 1e6), draw(d, -4, -1));
 }
 
-/* [load], [speed] or [sliding] about `mean`: ramp, sine or step. */
+/* Adds [load], [speed] or [sliding] with a ramp, a sine or a step. */
 static void history(test_random_case *d, const char *section, double minimum,
                     double maximum, double swing)
 {
     int kind = (int)draw(d, 0, 3);
-    say(d, "[%s]\n", section);
+    add(d, "[%s]\n", section);
     if (kind == 0)
-        say(d, "history = sine\namplitude = %.6g\nperiod = %.6g\n",
+        add(d, "history = sine\namplitude = %.6g\nperiod = %.6g\n",
             draw(d, 0, swing), draw(d, 1, 4));
     else
-        say(d, "history = %s\nto = %.6g\nstart = %.6g\n%s",
+        add(d, "history = %s\nto = %.6g\nstart = %.6g\n%s",
             kind == 1 ? "ramp" : "step", draw(d, minimum, maximum),
             draw(d, 0.2, 2), kind == 1 ? "duration = 1\n" : "");
 }
@@ -107,7 +108,7 @@ static double mesh(int level)
 static void contact(test_random_case *d, const char *radius, double M, double L,
                     int level)
 {
-    say(d,
+    add(d,
         "[contact]\n%sM = %.6g\nL = %.6g\nmodulus = 226 GPa\n"
         "slide_to_roll = %.6g\n[domain]\nlevel = %d\ninlet = -4\n"
         "outlet = 1.5\n",
@@ -135,10 +136,10 @@ void test_thinning_case(test_random_case *d, uint64_t seed, int level)
     begin(d, seed);
     double M = 5 * pow(40, draw(d, 0, 1)), L = draw(d, 2.5, 14);
     contact(d, "", M, L, level);
-    say(d, "[time]\nend = 4\n");
+    add(d, "[time]\nend = 4\n");
     lubricant(d);
     surfaces(d, ovr_film_central_moes(M, L), mesh(level));
-    if (chance(d, 0.4)) /* jumps by half fail in Newtonian films too */
+    if (chance(d, 0.4)) /* larger jumps fail also in Newtonian films */
         history(d, "load", 0.9, 1.1, 0.3);
     if (chance(d, 0.4))
         history(d, "speed", 0.5, 2, 0.3);
@@ -146,9 +147,10 @@ void test_thinning_case(test_random_case *d, uint64_t seed, int level)
         history(d, "sliding", -2, 2, 2);
 }
 
-/* -------------------------------------------------------------- everything */
+/* -------------------------------------------------- all models in combination
+ */
 
-/* 0.4 to 2 GPa: what heat and flow laws are for. */
+/* True if p_h is 0.4 to 2 GPa, as is usual for heat and rheological models. */
 static bool has_usual_pressure(const char *text)
 {
     ovr_error err = {0};
@@ -161,14 +163,14 @@ static bool has_usual_pressure(const char *text)
     return usual;
 }
 
-/* Flooded, conserved, or starved of the flow that a flooded film takes. */
+/* Adds mass-conserving cavitation and a starved supply, or nothing. */
 static void supply(test_random_case *d, double H)
 {
     int kind = (int)draw(d, 0, 3);
     if (kind)
-        say(d, "[cavitation]\nmodel = conserving\n");
+        add(d, "[cavitation]\nmodel = conserving\n");
     if (kind == 2)
-        say(d,
+        add(d,
             "[supply]\nmodel = film\nthickness_1 = %.6g\n"
             "thickness_2 = %.6g\n",
             H * draw(d, 0.2, 0.9), H * draw(d, 0.2, 0.9));
@@ -177,9 +179,9 @@ static void supply(test_random_case *d, double H)
 static void steps(test_random_case *d)
 {
     int kind = (int)draw(d, 0, 3);
-    say(d, "[time]\nend = 3\n");
+    add(d, "[time]\nend = 3\n");
     if (kind)
-        say(d, "step = %s\n", kind == 1 ? "adaptive" : "0.02");
+        add(d, "step = %s\n", kind == 1 ? "adaptive" : "0.02");
 }
 
 void test_mixed_case(test_random_case *d, uint64_t seed, int level)
@@ -196,10 +198,10 @@ void test_mixed_case(test_random_case *d, uint64_t seed, int level)
     if (chance(d, 0.75))
         lubricant(d);
     if (chance(d, 0.5))
-        say(d, "[heat]\nmodel = lobatto\ntemperature = 80 degC\n");
+        add(d, "[heat]\nmodel = lobatto\ntemperature = 80 degC\n");
     supply(d, H);
     if (chance(d, 0.2))
-        say(d, "[stress]\nsurface = both\n");
+        add(d, "[stress]\nsurface = both\n");
     surfaces(d, H, mesh(level));
     if (chance(d, 0.4))
         history(d, "load", 0.7, 1.4, 0.3);
@@ -222,15 +224,15 @@ void test_jump_case(test_random_case *d, uint64_t seed, double *share)
     } while (!has_usual_pressure(d->text));
     H = ovr_film_central_moes(M, L);
     *share = draw(d, 0.3, 1.2);
-    say(d, "[time]\nend = 0.8\nstep = %.6g\n",
+    add(d, "[time]\nend = 0.8\nstep = %.6g\n",
         mesh(level) * 0.5 * pow(8, draw(d, 0, 1)));
-    say(d, "[load]\nhistory = step\nto = %.6g\nstart = 0.2\n",
+    add(d, "[load]\nhistory = step\nto = %.6g\nstart = 0.2\n",
         draw(d, 0.5, 1.5));
-    say(d, "[cavitation]\nmodel = conserving\n");
+    add(d, "[cavitation]\nmodel = conserving\n");
     if (chance(d, 0.5))
         lubricant(d);
     if (chance(d, 0.3))
-        say(d, "[heat]\nmodel = lobatto\ntemperature = 80 degC\n");
+        add(d, "[heat]\nmodel = lobatto\ntemperature = 80 degC\n");
     if (chance(d, 0.5))
         surfaces(d, H, mesh(level));
 }
@@ -253,42 +255,42 @@ static void flow_law(test_random_case *d)
 {
     int k = (int)draw(d, 0, 4);
     if (k == 1 || k == 2) {
-        say(d, "rheology = eyring\neyring_stress = %.6g MPa\n",
+        add(d, "rheology = eyring\neyring_stress = %.6g MPa\n",
             logarithmic(d, 2, 20));
     } else if (k == 3) {
-        say(d, "rheology = carreau\ncarreau_form = stress\n");
-        say(d, "carreau_n = %.6g\n", draw(d, 0.3, 0.8));
-        say(d, "carreau_stress = %.6g MPa\n", logarithmic(d, 0.5, 8));
+        add(d, "rheology = carreau\ncarreau_form = stress\n");
+        add(d, "carreau_n = %.6g\n", draw(d, 0.3, 0.8));
+        add(d, "carreau_stress = %.6g MPa\n", logarithmic(d, 0.5, 8));
     }
     if (draw(d, 0, 4) < 1)
-        say(d, "limiting_shear = %.6g\n", draw(d, 0.03, 0.1));
+        add(d, "limiting_shear = %.6g\n", draw(d, 0.03, 0.1));
 }
 
 void test_stays_case(test_random_case *d, uint64_t seed)
 {
     *d = (test_random_case){.state = seed};
-    say(d, "[contact]\nmodulus = 226 GPa\n");
-    say(d, "hertz_pressure = %.6g GPa\n", draw(d, 0.4, 2));
-    say(d, "radius = %.6g mm\n", logarithmic(d, 3, 30));
-    say(d, "mean_speed = %.6g m/s\n", logarithmic(d, 0.1, 20));
-    say(d, "slide_to_roll = %.6g\n", slip(d));
-    say(d, "[lubricant]\nviscosity = %.6g mPa.s\n", logarithmic(d, 3, 100));
-    say(d, "alpha = %.6g 1/GPa\n", draw(d, 12, 24));
+    add(d, "[contact]\nmodulus = 226 GPa\n");
+    add(d, "hertz_pressure = %.6g GPa\n", draw(d, 0.4, 2));
+    add(d, "radius = %.6g mm\n", logarithmic(d, 3, 30));
+    add(d, "mean_speed = %.6g m/s\n", logarithmic(d, 0.1, 20));
+    add(d, "slide_to_roll = %.6g\n", slip(d));
+    add(d, "[lubricant]\nviscosity = %.6g mPa.s\n", logarithmic(d, 3, 100));
+    add(d, "alpha = %.6g 1/GPa\n", draw(d, 12, 24));
     flow_law(d);
-    say(d, "[domain]\nlevel = %d\n", draw(d, 0, 3) < 1 ? 6 : 7);
-    say(d, "[time]\nend = 3\nscheme = %s\n",
+    add(d, "[domain]\nlevel = %d\n", draw(d, 0, 3) < 1 ? 6 : 7);
+    add(d, "[time]\nend = 3\nscheme = %s\n",
         draw(d, 0, 3) < 1 ? "upstream2" : "characteristic");
     if (draw(d, 0, 4) >= 1)
-        say(d, "[heat]\nmodel = lobatto\ntemperature = %.6g degC\n",
+        add(d, "[heat]\nmodel = lobatto\ntemperature = %.6g degC\n",
             draw(d, 20, 120));
     if (draw(d, 0, 5) >= 2)
         return;
-    say(d, "[cavitation]\nmodel = conserving\n");
+    add(d, "[cavitation]\nmodel = conserving\n");
     if (draw(d, 0, 5) >= 2)
         return;
-    say(d, "[supply]\nmodel = film\nthickness_1 = %.6g um\n",
+    add(d, "[supply]\nmodel = film\nthickness_1 = %.6g um\n",
         logarithmic(d, 0.025, 1));
-    say(d, "thickness_2 = %.6g um\n", logarithmic(d, 0.025, 1));
+    add(d, "thickness_2 = %.6g um\n", logarithmic(d, 0.025, 1));
 }
 
 /* ---------------------------------------------- Hot contacts that slide */
@@ -312,35 +314,35 @@ static const char *any_flow_law(test_random_case *d)
 static void any_rheology(test_random_case *d)
 {
     const char *law = any_flow_law(d);
-    say(d, "rheology = %s\n", law);
+    add(d, "rheology = %s\n", law);
     if (!strcmp(law, "eyring"))
-        say(d, "eyring_stress = %.6g MPa\n", logarithmic(d, 2, 20));
+        add(d, "eyring_stress = %.6g MPa\n", logarithmic(d, 2, 20));
     else if (!strcmp(law, "carreau"))
-        say(d,
+        add(d,
             "carreau_form = %s\ncarreau_n = %.6g\ncarreau_stress = %.6g MPa\n",
             chance(d, 0.5) ? "rate" : "stress", draw(d, 0.3, 0.8),
             logarithmic(d, 0.5, 8));
     else if (!strcmp(law, "table"))
-        say(d, "rheology_file = thinning.csv\n");
+        add(d, "rheology_file = thinning.csv\n");
     if (chance(d, 0.4))
-        say(d, "limiting_shear = %.6g\n", draw(d, 0.03, 0.1));
+        add(d, "limiting_shear = %.6g\n", draw(d, 0.03, 0.1));
 }
 
 void test_hot_start_case(test_random_case *d, uint64_t seed)
 {
     begin(d, seed);
     double S = draw(d, 2, 6);
-    say(d, "[contact]\nmodulus = 226 GPa\n");
-    say(d, "hertz_pressure = %.6g GPa\n", draw(d, 0.4, 1.6));
-    say(d, "radius = %.6g mm\n", logarithmic(d, 3, 30));
-    say(d, "mean_speed = %.6g m/s\n", logarithmic(d, 0.5, 20));
-    say(d, "slide_to_roll = %.6g\n", chance(d, 0.5) ? S : -S);
-    say(d, "[lubricant]\nviscosity = %.6g mPa.s\n", logarithmic(d, 3, 100));
-    say(d, "alpha = %.6g 1/GPa\n", draw(d, 12, 24));
+    add(d, "[contact]\nmodulus = 226 GPa\n");
+    add(d, "hertz_pressure = %.6g GPa\n", draw(d, 0.4, 1.6));
+    add(d, "radius = %.6g mm\n", logarithmic(d, 3, 30));
+    add(d, "mean_speed = %.6g m/s\n", logarithmic(d, 0.5, 20));
+    add(d, "slide_to_roll = %.6g\n", chance(d, 0.5) ? S : -S);
+    add(d, "[lubricant]\nviscosity = %.6g mPa.s\n", logarithmic(d, 3, 100));
+    add(d, "alpha = %.6g 1/GPa\n", draw(d, 12, 24));
     any_rheology(d);
-    say(d, "[heat]\nmodel = lobatto\ntemperature = %.6g degC\n",
+    add(d, "[heat]\nmodel = lobatto\ntemperature = %.6g degC\n",
         draw(d, 20, 120));
     if (chance(d, 0.2))
-        say(d, "[cavitation]\nmodel = conserving\n");
-    say(d, "[domain]\nlevel = %d\n", (int)draw(d, 6, 10));
+        add(d, "[cavitation]\nmodel = conserving\n");
+    add(d, "[domain]\nlevel = %d\n", (int)draw(d, 6, 10));
 }

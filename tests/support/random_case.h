@@ -11,23 +11,23 @@ typedef struct test_random_case {
     int length;
 } test_random_case;
 
-/* Films that shear thin (thinning.h). */
+/* Draws a film with shear thinning (thinning.h). */
 void test_thinning_case(test_random_case *d, uint64_t seed, int level);
 
-/* All at once (mixed.h). */
+/* Draws a combination of all models (mixed.h). */
 void test_mixed_case(test_random_case *d, uint64_t seed, int level);
 
-/* A load that jumps once where cavitation is mass-conserving (jumps.h): of the
- * flooded flow this share arrives, which the text does not say. */
+/* Draws a load jump with mass-conserving cavitation (jumps.h). *share is the
+ * supply ratio, which is not in the text. */
 void test_jump_case(test_random_case *d, uint64_t seed, double *share);
 
-/* A smooth contact under constant conditions (stays.h). */
+/* Draws a smooth contact under constant conditions (stays.h). */
 void test_stays_case(test_random_case *d, uint64_t seed);
 
-/* A hot contact that slides fast (hot_starts.h). */
+/* Draws a thermal contact with high sliding speed (hot_starts.h). */
 void test_hot_start_case(test_random_case *d, uint64_t seed);
 
-/* The flow law by points, thinning.csv, that they may name. */
+/* Writes the rheological model by points that the cases name (thinning.csv). */
 void test_write_points(const char *path);
 
 #endif
