@@ -6,7 +6,7 @@
 TEST(no_step_fails)
 {
     test_reversals all = test_reversals_run(7, 8, 3);
-    assert_true(all.turns > 10);
+    assert_true(all.reversals > 10);
     assert_int_equal(all.failed, 0);
     assert_int_equal(all.marked, 0);
 }

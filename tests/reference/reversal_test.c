@@ -28,7 +28,7 @@ TEST(agrees_with_dense_newton)
         test_apart apart = test_reversal_against_dense(&r);
         print_message("    M %g L %g: P within %.1e, H_cen %.1e\n", r.M, r.L,
                       apart.P, apart.H);
-        assert_true(apart.turns >= 1);
+        assert_true(apart.reversals >= 1);
         assert_true(apart.P < 1e-6 && apart.H < 1e-6);
     }
 }
@@ -57,7 +57,7 @@ TEST(mirror_runs_agree)
                       ovr_scheme_name(r.scheme), r.order,
                       r.eyring > 0 ? ", Eyring, sliding" : "", apart.P,
                       apart.H);
-        assert_true(apart.turns >= 2);
+        assert_true(apart.reversals >= 2);
         assert_true(apart.P < 1e-9 && apart.H < 1e-9);
     }
 }

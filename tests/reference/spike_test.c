@@ -8,7 +8,7 @@
 
 TEST(as_on_a_uniform_grid)
 {
-    test_spike_beside_uniform(14);
+    test_spike_and_uniform(14);
 }
 
 TEST(a_few_contacts)

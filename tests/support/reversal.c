@@ -21,7 +21,7 @@ typedef struct run {
     size_t count;
 } run;
 
-/* From long before T = 0 on, so that it has any phase there. */
+/* Makes a sine that starts long before T = 0, with any phase at T = 0. */
 static ovr_history *make_speed(const test_reversal *r)
 {
     ovr_history_form f = ovr_history_form_default();
@@ -36,7 +36,7 @@ static ovr_history *make_speed(const test_reversal *r)
     return made;
 }
 
-/* The features ride on the way that the mean speed has come. */
+/* Computes the heights of features that are convected by the mean speed. */
 static void heights(void *data, double T, size_t n, const double *X, double *S)
 {
     const run *r = data;
@@ -128,8 +128,8 @@ static double speed_at(const run *r, double T)
     return ovr_history_value(r->speed, T);
 }
 
-static void note(test_apart *a, size_t n, const double *P, const double *other,
-                 bool mirrored)
+static void compare(test_apart *a, size_t n, const double *P,
+                    const double *other, bool mirrored)
 {
     for (size_t i = 0; i < n; i++)
         a->P = fmax(a->P, fabs(P[i] - other[mirrored ? n - 1 - i : i]));
@@ -137,7 +137,7 @@ static void note(test_apart *a, size_t n, const double *P, const double *other,
 
 /* ------------------------------------------------------- the dense Newton */
 
-/* Operator and surface for T, and the derivative in time of a step of dT; 0:
+/* Sets operator, surface and time derivative for a step of dT to T; dT = 0:
  * steady. */
 static void set_dense(run *r, dense *d, double T, double dT, double *q[2])
 {
@@ -179,7 +179,7 @@ test_apart test_reversal_against_dense(const test_reversal *of)
     d->primal_dual = true;
     set_dense(&r, d, 0, 0, q);
     dense_solve(d);
-    note(&apart, n, r.state->P, d->P, false);
+    compare(&apart, n, r.state->P, d->P, false);
     memcpy(q[0], d->q, n * sizeof(double));
     while (runs(&r)) {
         double *oldest = q[1], dT = step_of(&r), T = r.state->T + dT;
@@ -189,9 +189,9 @@ test_apart test_reversal_against_dense(const test_reversal *of)
         dense_solve(d);
         q[1] = q[0];
         q[0] = memcpy(oldest, d->q, n * sizeof(double));
-        apart.turns += speed_at(&r, T) * speed_at(&r, T - dT) < 0;
+        apart.reversals += speed_at(&r, T) * speed_at(&r, T - dT) < 0;
         step(&r);
-        note(&apart, n, r.state->P, d->P, false);
+        compare(&apart, n, r.state->P, d->P, false);
         apart.H = fmax(apart.H, fabs(r.state->H[n / 2] / d->H[n / 2] - 1));
     }
     dense_free(d);
@@ -220,8 +220,8 @@ test_apart test_reversal_against_mirror(const test_reversal *of)
         double Cu = speed_at(&a, a.state->T);
         step(&a);
         step(&b);
-        apart.turns += Cu * speed_at(&a, a.state->T) < 0;
-        note(&apart, a.state->n, a.state->P, b.state->P, true);
+        apart.reversals += Cu * speed_at(&a, a.state->T) < 0;
+        compare(&apart, a.state->n, a.state->P, b.state->P, true);
         apart.H = fmax(apart.H, fabs(a.seen->H_min / b.seen->H_min - 1));
         apart.H = fmax(apart.H, fabs(a.seen->H_cen / b.seen->H_cen - 1));
         CHECK_NEAR(a.seen->X_min, -b.seen->X_min, 1e-9);
@@ -254,7 +254,7 @@ double test_reversal_film(const test_reversal *of)
     return H;
 }
 
-/* ----------------------------------------------------------------- at random
+/* --------------------------------------------------------------- random runs
  */
 
 static test_reversal draw(uint64_t *seed, double longest)
@@ -292,7 +292,7 @@ static void draw_features(uint64_t *seed, run *r)
     }
 }
 
-static void say(const run *r, const char *what)
+static void print_step(const run *r, const char *what)
 {
     const test_reversal *of = r->of;
     print_message("    %s, M %.5g L %.4g, Cu = %.3f + cos, period %.3f, level "
@@ -312,8 +312,8 @@ static void march(run *r, test_reversals *all)
         double Cu = speed_at(r, r->state->T);
         failed = ovr_simulation_step(r->sim, step_of(r), &err) != OVR_OK;
         if (failed || r->seen->marked)
-            say(r, failed ? err.message : "marked");
-        all->turns += Cu * speed_at(r, r->state->T) < 0;
+            print_step(r, failed ? err.message : "marked");
+        all->reversals += Cu * speed_at(r, r->state->T) < 0;
         all->load = fmax(all->load, fabs(r->seen->load_error));
     }
     all->failed += failed;
@@ -341,10 +341,10 @@ test_reversals test_reversals_run(uint64_t seed, long count, double longest)
         }
         end(&r);
     }
-    print_message("    %ld runs (%ld drawn again), %ld steps, %ld turns, %.2f "
-                  "cycles a step, %ld retries, %ld marked, %ld failed, load "
-                  "within %.1e\n",
-                  all.runs, again, all.steps, all.turns,
+    print_message("    %ld runs (%ld drawn again), %ld steps, %ld reversals, "
+                  "%.2f cycles per step, %ld retries, %ld flagged, %ld failed, "
+                  "load error at most %.1e\n",
+                  all.runs, again, all.steps, all.reversals,
                   (double)all.cycles / (double)all.steps, all.retries,
                   all.marked, all.failed, all.load);
     return all;

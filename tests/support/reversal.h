@@ -7,45 +7,49 @@
 
 #include "contact.h"
 
-/* Cu = mean + swing cos(2 pi T/period + phase) on [-4, 4]; a feature at start +
- * u int Cu dT, none where its kind is 0. */
+/* A run with Cu = mean + swing cos(2 pi T/period + phase) on [-4, 4] and a
+ * feature at start + u int Cu dT (feature.kind = 0: none). */
 typedef struct test_reversal {
     double M, L, mean, swing, period, phase, end;
     int level;
-    double steps_of_mesh; /* 0: one mesh */
+    double steps_of_mesh; /* step in units of D; 0: 1 */
     ovr_scheme scheme;
-    int order;            /* 0: second */
-    double tolerance;     /* 0: automatic */
-    double eyring, slide; /* Sigma0, 0: Newtonian; V, 0: none */
+    int order;        /* 0: 2 */
+    double tolerance; /* 0: automatic */
+    double eyring;    /* Sigma0; 0: Newtonian */
+    double slide;     /* sliding speed V; 0: none */
     test_feature feature;
 } test_reversal;
 
-/* Largest differences over a run; how often the speed changed its sign. */
+/* Maximum differences of two runs. */
 typedef struct test_apart {
-    double P, H; /* of P at any node; of H_cen, relative */
-    int turns;
+    double P, H; /* P at any node; H_cen, relative */
+    int reversals;
 } test_apart;
 
-/* Against the dense Newton solution, step by step with a past of its own. */
+/* Compares a run with a dense Newton solution that has its own past. */
 test_apart test_reversal_against_dense(const test_reversal *r);
 
-/* Against the run of the other sign with the feature at -start. */
+/* Compares a run with the mirror image: opposite speeds, feature at -start. */
 test_apart test_reversal_against_mirror(const test_reversal *r);
 
-/* H_min at the end. */
+/* Returns H_min at the end of a run. */
 double test_reversal_film(const test_reversal *r);
 
 typedef struct test_reversals {
-    long runs, steps, cycles, retries, marked, failed, turns;
-    double load; /* largest error of it */
+    long runs, steps, cycles, retries, marked, failed, reversals;
+    double load; /* maximum load error */
 } test_reversals;
 
 /*
- * So many runs of 1.25 periods of Cu = m + sin, |m| < 0.6, period 2 to
- * `longest`, any phase; M = 5 to 200 logarithmic, L = 2.5 to 14, level 8, 9
- * above M = 100, steps of a mesh, a third each by upstream1, upstream2 and the
- * characteristic; half of them with one to three dents (to 1.5 H_c) or bumps
- * (to 0.4 H_c) at surfaces of slide-to-roll -1 to 1.
+ * Runs `runs` random cases of 1.25 periods.
+ *
+ *   speed     Cu = m + sin, |m| < 0.6, period 2 to `longest`, any phase
+ *   contact   M = 5 to 200 (logarithmic), L = 2.5 to 14
+ *   grid      level 8, or 9 above M = 100; steps of D by upstream1, upstream2
+ *             and characteristic, a third each
+ *   features  half of the runs: one to three dents (up to 1.5 H_c) or bumps (up
+ *             to 0.4 H_c) with slide-to-roll ratios of -1 to 1
  */
 test_reversals test_reversals_run(uint64_t seed, long runs, double longest);
 

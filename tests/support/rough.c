@@ -31,12 +31,12 @@ static ovr_case *make_case(const test_rough *r, const surface *s)
     return ovr_case_read_text(text, "rough.ini", NULL, NULL, &err);
 }
 
-static int foresee(test_rough *r, const surface *s)
+static int predict(test_rough *r, const surface *s)
 {
     ovr_case *c = make_case(r, s);
     ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &r->err) : NULL;
     int done = setup && !ovr_setup_prepare(setup, NULL, &r->err) &&
-               !ovr_setup_rough_film(setup, NULL, &r->said, &r->err);
+               !ovr_setup_rough_film(setup, NULL, &r->predicted, &r->err);
     if (done)
         r->smooth = ovr_film_fitted(r->M, r->L,
                                     ovr_density(setup->lubricant, 1))
@@ -78,10 +78,10 @@ test_rough test_rough_run(uint64_t seed, double slide, int level)
     s.shortest = fmax(0.15, s.rolloff / 8);
     share = test_random(&state, 0.05, 0.5);
     r.level = level + (r.M > 100);
-    if (!foresee(&r, &s))
+    if (!predict(&r, &s))
         return r;
-    s.Rq *= share * r.smooth / (r.smooth - r.said.H_min);
-    if (foresee(&r, &s))
+    s.Rq *= share * r.smooth / (r.smooth - r.predicted.H_min);
+    if (predict(&r, &s))
         run(&r, &s);
     return r;
 }

@@ -9,17 +9,23 @@
 typedef struct test_rough {
     double M, L, alpha, hurst, slide;
     int level;
-    ovr_rough_film said;
-    double smooth, film_Rq, H_min; /* the run's */
+    ovr_rough_film predicted;
+    double smooth;         /* predicted minimum film thickness if smooth */
+    double film_Rq, H_min; /* results of the run */
     ovr_status status;
     ovr_error err;
 } test_rough;
 
-/* M 20 to 200, L 4 to 14 (logarithmic), alpha 15 to 25 1/GPa with ph below 4
- * GPa; self-affine, Hurst 0.5 to 1, longest wave 0.5 to 4 b, shortest an
- * eighth of that but at least 0.15 b, 8 b long; its height such that
- * what is left at its highest takes a random share, 0.05 to 0.5, of the smooth
- * minimum film.  On the level, above M = 100 on the next. */
+/*
+ * Runs a random case on a level, or the next one above M = 100.
+ *
+ *   contact  M 20 to 200, L 4 to 14 (logarithmic), alpha 15 to 25 1/GPa, p_h
+ *            below 4 GPa
+ *   surface  self-affine, Hurst exponent 0.5 to 1, wavelengths up to 0.5 to 4
+ *            b, from an eighth of that but at least 0.15 b; 8 b long
+ *   height   such that the predicted reduction of the minimum film thickness is
+ *            0.05 to 0.5 of that of smooth surfaces
+ */
 test_rough test_rough_run(uint64_t seed, double slide, int level);
 
 #endif

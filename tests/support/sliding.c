@@ -29,7 +29,7 @@ static ovr_statistics counts_of(const char *text)
     return s;
 }
 
-/* Whether it took more cycles a step than all before. */
+/* Adds a run; returns true if it has the most cycles per step so far. */
 static int count(test_slides *all, const ovr_statistics *s)
 {
     double cycles = (double)s->cycles / (double)s->steps;
@@ -75,7 +75,7 @@ test_slides test_slides_grid(const char *scheme, int level, double meshes,
             if (k++ % every == 0)
                 test_slides_add(&all, &one);
         }
-    printf("%-14s level %2d, dT = %g D: %4.2f cycles a step, at most %5.2f "
+    printf("%-14s level %2d, dT = %g D: %4.2f cycles per step, at most %5.2f "
            "(width %g, slip %g); %ld retries in %ld steps\n",
            scheme, level, meshes, all.mean, all.largest, all.worst.width,
            all.worst.slip, all.retries, all.steps);
@@ -97,7 +97,7 @@ static void put_profile(char *text, size_t bytes, int surface,
              surface, surface, getenv("TOP"), profile, how);
 }
 
-/* Of second order, both schemes: what steps cost, not what corrections do. */
+/* Order 2 for both schemes excludes the cost of fourth-order corrections. */
 void test_slides_rough(test_slides *all, const test_rough_slide *one)
 {
     char text[2000];
@@ -116,7 +116,7 @@ void test_slides_rough(test_slides *all, const test_rough_slide *one)
             put_profile(text, sizeof text, k + 1, one->profile[k]);
     ovr_statistics s = counts_of(text);
     count(all, &s);
-    printf("%s, %s: SRR %g, level %d, dT = %g D, %s: %.2f cycles a step, "
+    printf("%s, %s: SRR %g, level %d, dT = %g D, %s: %.2f cycles per step, "
            "%ld retries in %ld steps\n",
            one->profile[0], one->profile[1] ? one->profile[1] : "smooth",
            one->slip, one->level, one->meshes, one->scheme,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Number of cycles per step during the passage of a dent through a sliding
- * contact. */
+/* Number of cycles per step during the passage of a dent, or of rough surfaces,
+ * through a sliding contact. */
 #ifndef TESTS_SUPPORT_SLIDING_H
 #define TESTS_SUPPORT_SLIDING_H
 
@@ -11,20 +11,21 @@ typedef struct test_slide {
     double meshes;      /* dT/D */
 } test_slide;
 
-/* Over runs. */
+/* Sums of several runs. */
 typedef struct test_slides {
     int runs;
-    double mean, largest; /* cycles a step, of the runs */
+    double mean, largest; /* cycles per step: mean and maximum of the runs */
     test_slide worst;
     long steps, retries;
 } test_slides;
 
-/* Runs M = 20, L = 10 with a dent 0.05 deep from before the contact to behind
- * it (or standing in its middle) and counts it in. */
+/* Runs M = 20, L = 10 with a dent of depth 0.05 that passes the contact, or
+ * stands at X = 0, and adds its numbers. */
 void test_slides_add(test_slides *all, const test_slide *one);
 
 typedef struct test_rough_slide {
-    const char *profile[2]; /* of profiles/, on surface 1 and 2; NULL: smooth */
+    const char *profile[2]; /* files of profiles/ for surfaces 1 and 2; NULL:
+                               smooth */
     double slip;
     int level;
     double meshes; /* dT/D */
@@ -32,11 +33,12 @@ typedef struct test_rough_slide {
     double end;
 } test_rough_slide;
 
-/* Rough surfaces, their fronts inside the contact at the start, in the contact
- * of profiles/ground.ini. */
+/* Runs the contact of profiles/ground.ini with rough surfaces whose fronts are
+ * in the contact at the start, and adds its numbers. */
 void test_slides_rough(test_slides *all, const test_rough_slide *one);
 
-/* Over a grid of widths 0.02 to 0.5 and slips -2 to 2, every `every`-th run. */
+/* Runs every `every`-th combination of widths 0.02 to 0.5 and slide-to-roll
+ * ratios -2 to 2. */
 test_slides test_slides_grid(const char *scheme, int level, double meshes,
                              int every);
 

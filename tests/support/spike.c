@@ -31,7 +31,7 @@ ovr_observation test_spike(double M, double L, double inlet, int level, int to,
     return seen;
 }
 
-/* The whole domain's grid alone, with a pressure linear between its nodes. */
+/* Solves on a uniform grid with a pressure that is linear between nodes. */
 static ovr_observation uniform(double M, double L, int level)
 {
     ovr_error err = {0};
@@ -49,7 +49,7 @@ static ovr_observation uniform(double M, double L, int level)
     return seen;
 }
 
-void test_spike_beside_uniform(int to)
+void test_spike_and_uniform(int to)
 {
     ovr_observation fine = uniform(20, 10, to);
     ovr_observation patches = test_spike(20, 10, -4, 8, to, 0);
@@ -75,11 +75,11 @@ void test_spike_survey(uint64_t seed, int cases)
         ovr_observation a = test_spike(M, L, -4, 8, 0, 1e-3);
         ovr_observation b = test_spike(M, L, -4, 9, 0, 1e-3);
         double H = fabs(a.H_min / b.H_min - 1);
-        printf("M = %-7.5g L = %-7.5g P_spike %.5f %.5f to %d %d, H_min off "
+        printf("M = %-7.5g L = %-7.5g P_spike %.5f %.5f to %d %d, H_min diff "
                "%.1e, cycles %d %d%s%s\n",
                M, L, a.P_spike, b.P_spike, a.refined_level, b.refined_level, H,
-               a.cycles, b.cycles, a.converged ? "" : " NOT over 8",
-               b.converged ? "" : " NOT over 9");
+               a.cycles, b.cycles, a.converged ? "" : " failed on level 8",
+               b.converged ? "" : " failed on level 9");
         missed += !(a.converged && b.converged && H < 2e-3);
     }
     assert_true(10 * missed <= cases);

@@ -38,14 +38,14 @@ static double constant(void *data, double T)
     return *(double *)data;
 }
 
-ovr_status test_starve(double M, double L, int level, double share, int *ways,
-                       ovr_error *err)
+ovr_status test_starve(double M, double L, int level, double share,
+                       int *strategies, ovr_error *err)
 {
     double q = share * test_flood(M, L, level).flow;
     ovr_simulation *sim = make(M, L, level, 0, OVR_UPSTREAM2, 2);
     ovr_simulation_supply(sim, constant, &q, 0);
     ovr_status status = ovr_simulation_steady(sim, err);
-    *ways = 1 + ovr_simulation_observation(sim)->retries;
+    *strategies = 1 + ovr_simulation_observation(sim)->retries;
     if (!status)
         CHECK_NEAR(ovr_simulation_observation(sim)->outflow / q, 1, 1e-6);
     ovr_simulation_free(sim);
@@ -59,7 +59,8 @@ enum { FEATURES = 3 };
 
 typedef struct scene {
     test_feature feature[FEATURES];
-    double q[2], wave, period; /* supply from, to; its waves */
+    double q[2];         /* supply at the start and at the end */
+    double wave, period; /* amplitude and period of its oscillation */
 } scene;
 
 static double supply(void *data, double T)
@@ -93,7 +94,7 @@ static double pick(uint64_t *seed, double from, double to)
     return test_random(seed, from, to);
 }
 
-/* Dents, bumps, and waves that grow in. */
+/* Draws a supply, a dent, a bump and waves that grow from zero. */
 static void make_scene(scene *s, uint64_t *seed, test_flooded f, double u)
 {
     double start = pick(seed, 0.3, 3), end = pick(seed, 0.3, 3);

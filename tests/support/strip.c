@@ -45,7 +45,7 @@ void test_strip_free(test_strip *s)
     free(s);
 }
 
-/* S = A growth (f_0 g_0 + f_1 g_1), f of X and g of Y. */
+/* Computes the factors g of Y in S = A growth (f_0 g_0 + f_1 g_1), f of X. */
 static void across(const test_bump *b, double period, double y, double g[2])
 {
     const double turn = 2 * acos(-1);

@@ -28,7 +28,8 @@ static void add(test_strip *s, test_bump b)
     s->bump[s->bumps++] = b;
 }
 
-/* Features in units of the film H, which move with u. */
+/* Draws features that move with u. Their heights are proportional to the film
+ * thickness H. */
 static void draw_features(test_strip *s, int kind, double H, double u,
                           uint64_t *seed)
 {
@@ -41,7 +42,7 @@ static void draw_features(test_strip *s, int kind, double H, double u,
                            .y = y,
                            .u = u,
                            .round = kind == DENT});
-    if (kind == DENT) /* and a bump */
+    if (kind == DENT) /* in addition, a bump */
         add(s, (test_bump){.A = 0.3 * size,
                            .width = test_random(seed, 0.15, 0.4),
                            .x = x - 0.5,
@@ -54,7 +55,7 @@ static void draw_features(test_strip *s, int kind, double H, double u,
                            .across = floor(test_random(seed, 0, 4)) / 2,
                            .u = u,
                            .grow = 1});
-    /* Rq = H/lambda of waves longer than 0.3 b. */
+    /* Waves longer than 0.3 b with Rq = H/lambda. */
     double lambda = exp(test_random(seed, 0, log(5)));
     for (int k = 0; kind == ROUGH && k < 40; k++)
         add(s, (test_bump){.A = H / lambda * sqrt(2. / 40),
@@ -89,13 +90,13 @@ static void march_on(strip_survey *found, test_strip *s, double u, size_t n,
         found->flagged += !done.solved;
         worst = done.cycles > worst ? done.cycles : worst;
         if (!(done.imbalance < 1)) {
-            found->broken++;
-            printf("broken at step %d, R %g; ", step, done.imbalance);
+            found->failed++;
+            printf("failed at step %d, R %g; ", step, done.imbalance);
             break;
         }
         ovr_strip_march_accept(&march);
     }
-    printf("%.2f cycles a step (worst %d), %ld retries, %ld flagged\n",
+    printf("%.2f cycles per step (worst %d), %ld retries, %ld flagged\n",
            (double)(found->cycles - cycles) / steps, worst,
            found->retries - retries, found->flagged - flagged);
 }
@@ -108,7 +109,7 @@ void strip_survey_add(strip_survey *found, unsigned seed, size_t n)
     if (test_random(&draws, 0, 1) < 0.3)
         SRR = 0;
     int kind = (int)test_random(&draws, 0, KINDS);
-    /* The thinner the film, the finer the grid. */
+    /* Thin films need finer grids. */
     double H = ovr_film_central_moes(M, L);
     size_t nodes = M > 100 && n < 257 ? 257 : n;
     size_t lines = (nodes - 1) / 4;
@@ -144,12 +145,12 @@ void strip_survey_add(strip_survey *found, unsigned seed, size_t n)
 void strip_survey_check(const strip_survey *found)
 {
     printf("%d strips: %d steady films not solved; %ld steps, %.2f cycles a "
-           "step, %ld retries, %ld flagged, %ld broken\n",
+           "step, %ld retries, %ld flagged, %ld failed\n",
            found->cases, found->unsolved_steady, found->steps,
            (double)found->cycles / (double)found->steps, found->retries,
-           found->flagged, found->broken);
+           found->flagged, found->failed);
     assert_int_equal(found->unsolved_steady, 0);
-    assert_int_equal(found->broken, 0);
+    assert_int_equal(found->failed, 0);
     assert_true(found->flagged * 1000 <= found->steps);
     assert_true(found->retries * 100 <= found->steps);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Included first by every cmocka test: cmocka, comparison of numbers with a
- * tolerance, files, and an allocator that counts and fails. */
+/* Header of all cmocka tests: definition of tests, comparison of numbers,
+ * files, and an allocator that counts and fails. */
 #ifndef TESTS_SUPPORT_TEST_H
 #define TESTS_SUPPORT_TEST_H
 
@@ -18,9 +18,10 @@
 /* ----------------------------------------------------------------- tests */
 
 /*
- * TEST(what_holds) { ... } is a test of the program tests/KIND/NAME_test, which
- * runs those of its file from the first to the last.  TEST_WITH has a setup and
- * a teardown of cmocka's, either NULL; TEST_IN_FOLDER a new folder as *state.
+ * TEST(what_holds) { ... } defines a test. The program tests/KIND/NAME_test
+ * runs the tests of its file in their order. TEST_WITH also has the setup and
+ * teardown functions of cmocka (or NULL). The *state of TEST_IN_FOLDER is a new
+ * folder.
  */
 #define TEST(name) TEST_WITH(name, NULL, NULL)
 #define TEST_IN_FOLDER(name)                                                   \
@@ -37,7 +38,7 @@
     }                                                                          \
     static void name(__attribute__((unused)) void **state)
 
-/* A setup and a teardown, either NULL, of all tests of a file. */
+/* Defines setup and teardown functions of a whole file (or NULL). */
 #define TEST_GROUP(begin, end)                                                 \
     __attribute__((constructor)) static void register_group(void)              \
     {                                                                          \
@@ -47,31 +48,31 @@
     }
 
 typedef struct test_listed {
-    struct CMUnitTest test; /* without a function: a group */
+    struct CMUnitTest test; /* if it has no function: TEST_GROUP */
     CMFixtureFunction begins, ends;
     const char *file;
     int line;
     struct test_listed *next;
 } test_listed;
 
-/* Called before main() by what these macros make. */
+/* Adds a test. Called by the macros, before main(). */
 void test_list(test_listed *one);
 
 /* --------------------------------------------------------------- numbers */
 
-/* |actual - expected| <= tolerance, absolute.  A NaN is never near; equal
- * infinities are. */
+/* Checks |actual - expected| <= tolerance. NaN fails, equal infinities do not.
+ */
 #define CHECK_NEAR(actual, expected, tolerance)                                \
     test_near(actual, expected, tolerance, false, #actual, __FILE__, __LINE__)
 
-/* |actual - expected| <= tolerance |expected|. */
+/* Checks |actual - expected| <= tolerance |expected|. */
 #define CHECK_CLOSE(actual, expected, tolerance)                               \
     test_near(actual, expected, tolerance, true, #actual, __FILE__, __LINE__)
 
 void test_near(double actual, double expected, double tolerance, bool relative,
                const char *what, const char *file, int line);
 
-/* A status, with the error's message shown when it is another. */
+/* Checks a status. If it differs, the error message is printed. */
 #define CHECK_STATUS(actual, expected, err)                                    \
     test_status(actual, expected, err, #actual, __FILE__, __LINE__)
 #define CHECK_OK(actual, err) CHECK_STATUS(actual, OVR_OK, err)
@@ -79,31 +80,32 @@ void test_near(double actual, double expected, double tolerance, bool relative,
 void test_status(ovr_status actual, ovr_status expected, const ovr_error *err,
                  const char *what, const char *file, int line);
 
-/* The error is `status` and its message holds `part`, in one line. */
+/* Checks that the error has this status and a message of one line that contains
+ * `part`. */
 #define CHECK_ERROR(err, status, part)                                         \
     test_error(err, status, part, __FILE__, __LINE__)
 
 void test_error(const ovr_error *err, ovr_status status, const char *part,
                 const char *file, int line);
 
-/* Random numbers, the same on every machine: uniform in [from, to). */
+/* Returns a random number, uniform in [from, to), the same on every machine. */
 double test_random(uint64_t *state, double from, double to);
 
 /* Returns the number of draws of a survey: `few` in make check, `many` in make
  * verify, or the number in OVERROLL_RUNS. */
 int test_draws(int few, int many);
 
-/* " f", " 1", ...: a name for sections that need one, else "". */
+/* Returns a name (" f", " 1", ...) for sections that need one, otherwise "". */
 const char *test_block_name(const char *section);
 
 /* ----------------------------------------------------------------- files */
 
-/* A new empty folder, removed with its contents by test_remove_folder; both
- * in the form of cmocka's setup and teardown (the state is the path). */
+/* Make a new folder, and remove it with its contents, as setup and teardown of
+ * cmocka. The state is the path. */
 int test_make_folder(void **state);
 int test_remove_folder(void **state);
 
-/* "folder/name" in a static buffer, one of four taken in turn. */
+/* Returns "folder/name" in one of four static buffers, used in turn. */
 const char *test_path(const char *folder, const char *name);
 
 /* Returns the contents of a file with a final NUL, to be freed by the caller;
@@ -114,8 +116,8 @@ char *test_read(const char *path, size_t *bytes);
 void test_write(const char *path, const void *data, size_t bytes);
 void test_write_text(const char *path, const char *text);
 
-/* A locale that writes 1,5; false: there is none here.  setlocale(LC_ALL, "C")
- * ends it. */
+/* Sets a locale with a decimal comma; false: this machine has none. Call
+ * setlocale(LC_ALL, "C") afterwards. */
 bool test_decimal_comma(void);
 
 /* ------------------------------------------------------------ allocations */
@@ -125,21 +127,22 @@ bool test_decimal_comma(void);
  * fails. */
 typedef struct test_faults {
     ovr_allocator hook;
-    long calls;   /* allocations asked for */
-    double bytes; /* of all that were given */
-    long live;    /* pieces not yet released */
-    long fail;    /* the call that fails, from 1; 0: none */
-    bool onward;  /* all calls after that one fail too */
+    long calls;   /* number of requests */
+    double bytes; /* sum of all allocated bytes */
+    long live;    /* number of allocations that were not released */
+    long fail;    /* number of the call that fails, from 1; 0: none */
+    bool onward;  /* all later calls fail, too */
 } test_faults;
 
-/* Faults cannot be copied: the hook points back at them. */
+/* Initializes faults. They must not be copied, because the hook contains their
+ * address. */
 void test_faults_init(test_faults *faults);
 
 /*
- * Fails the k-th allocation of `attempt` for k = 1, 2, ... until it succeeds
- * without a fault.  `attempt` uses the hook, frees what it made, and returns
- * its status with *err filled; each fault must give OVR_NO_MEMORY with a
- * message and leave nothing allocated.  Returns the number of allocations.
+ * Fails allocation k of `attempt` for k = 1, 2, ... until no allocation fails.
+ * `attempt` uses the hook, frees its memory and returns its status, with *err
+ * filled. With each fault it must return OVR_NO_MEMORY and a message, and leave
+ * nothing allocated. Returns the number of allocations.
  */
 typedef ovr_status test_attempt(void *data, const ovr_allocator *hook,
                                 ovr_error *err);

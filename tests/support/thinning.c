@@ -37,7 +37,7 @@ test_thinned test_thinning(uint64_t seed, int level)
     test_write_points("thinning.csv");
     test_thinning_case(&d, seed, level);
     if (run(&d, &found, &err) || found.marked)
-        print_message("    seed %llu: %ld steps marked; %s\n%s\n",
+        print_message("    seed %llu: %ld flagged steps; %s\n%s\n",
                       (unsigned long long)seed, found.marked, err.message,
                       d.text);
     assert_int_equal(err.status, OVR_OK);
@@ -57,8 +57,8 @@ void test_thinning_survey(uint64_t seed, int runs, int level)
         marked += one.marked > 0;
     }
     print_message("    seeds %llu on: %d runs, %ld steps, %.2f cycles each; "
-                  "%ld runs with steps tried again, %ld steps halved, %ld runs "
-                  "with marked steps\n",
+                  "%ld runs with retries, %ld halved steps, %ld runs with "
+                  "flagged steps\n",
                   (unsigned long long)seed, runs, all.steps,
                   (double)all.cycles / (double)all.steps, retried, all.substeps,
                   marked);

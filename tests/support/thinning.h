@@ -5,18 +5,23 @@
 
 #include <stdint.h>
 
-/* A run of 4 b/um.  From the seed: M 5 to 200 (logarithmic), L 2.5 to 14, SRR
- * -2 to 2; Eyring, Carreau-Yasuda in both forms or a table of points, 2 to 15
- * MPa; a dent, bump or ridge and roughness on each surface, each or not; load,
- * speed and sliding constant or along histories.  A failure is a failed test
- * that shows the case. */
+/*
+ * Runs a random case of 4 b/um; fails the test and prints the case if the run
+ * fails.
+ *
+ *   contact    M 5 to 200 (logarithmic), L 2.5 to 14, SRR -2 to 2
+ *   lubricant  Eyring, Carreau-Yasuda in both forms or a table of points, 2 to
+ *              15 MPa
+ *   features   on each surface none, a dent, bump or ridge, and roughness
+ *   histories  load, speed and sliding constant or varying
+ */
 typedef struct test_thinned {
     long steps, cycles, retries, substeps, marked;
 } test_thinned;
 test_thinned test_thinning(uint64_t seed, int level);
 
-/* `runs` of them from a seed on, on a level and the next in turns, none of
- * which fails, 2 % at most marked; printed. */
+/* Runs and prints `runs` cases, on a level and the next in turn. None may fail,
+ * and at most 2 % may have flagged steps. */
 void test_thinning_survey(uint64_t seed, int runs, int level);
 
 #endif

@@ -13,7 +13,7 @@
 typedef struct tally {
     int runs, failed, maximum;
     long cycles;
-    double minimum, largest; /* shares */
+    double minimum, largest; /* asperity load shares */
 } tally;
 
 static double logarithmic(uint64_t *state, double low, double high)
@@ -36,8 +36,8 @@ static void write_case(char *text, size_t size, uint64_t seed)
              M, L, M < 60 ? 5 : 6, a1, decay);
 }
 
-/* A law that bears a1 < 0.9 at no film, and over half of it by the thinnest:
- * solved, but withheld. */
+/* True if a solution is withheld correctly: the asperity pressure at H = 0 is
+ * below 0.9 p_h, and that at H_min exceeds half of it. */
 static bool withheld(const ovr_case *c, const ovr_observation *o,
                      const ovr_error *err)
 {
@@ -89,7 +89,7 @@ void test_touches_survey(uint64_t seed, int runs)
     for (int k = 0; k < runs; k++)
         try(&t, seed + (uint64_t)k);
     print_message("    seeds %llu on: %d runs, %d failed; shares %.5f to %.5f; "
-                  "%.1f steps of Newton's method each, %d at most\n",
+                  "%.1f Newton steps each, %d at most\n",
                   (unsigned long long)seed, t.runs, t.failed, t.minimum,
                   t.largest, (double)t.cycles / t.runs, t.maximum);
     assert_int_equal(t.failed, 0);

@@ -20,14 +20,14 @@ typedef struct errors {
 static void compare(uint64_t seed, double slide, errors *maximum)
 {
     test_rough r = test_rough_run(seed, slide, 8);
-    double ratio = r.film_Rq / r.said.film_Rq;
-    double film = (r.H_min - r.said.H_min) / r.smooth;
+    double ratio = r.film_Rq / r.predicted.film_Rq;
+    double film = (r.H_min - r.predicted.H_min) / r.smooth;
     CHECK_OK(r.status, &r.err);
     print_message("# seed %d: M %5.1f L %5.2f slide %4.1f Rq %.4g: film's "
                   "%.4g, foreseen %.4g (%.3f); smallest film %.4g, foreseen "
                   "%.4g (%+.3f of the smooth)\n",
-                  (int)seed, r.M, r.L, slide, r.said.Rq, r.film_Rq,
-                  r.said.film_Rq, ratio, r.H_min, r.said.H_min, film);
+                  (int)seed, r.M, r.L, slide, r.predicted.Rq, r.film_Rq,
+                  r.predicted.film_Rq, ratio, r.H_min, r.predicted.H_min, film);
     maximum->each[maximum->count][0] = fabs(ratio - 1);
     maximum->each[maximum->count++][1] = fabs(film);
     maximum->Rq = fmax(maximum->Rq, fabs(ratio - 1));

@@ -9,8 +9,8 @@
 
 TEST(as_on_uniform_grids)
 {
-    test_spike_beside_uniform(14);
-    test_spike_beside_uniform(16);
+    test_spike_and_uniform(14);
+    test_spike_and_uniform(16);
 }
 
 /* Heights over two or three grids of the whole domain, and their scatter. */
