@@ -8,14 +8,14 @@
 /*
  * Runs cases of consecutive seeds. Each has a contact of plausible or extreme
  * numbers and up to twelve keys of any section. The value of a key is one of
- * its words, a usual number, a number anywhere in its range (in SI units if it
- * has a dimension), a file or a list. The survey sets levels, end times and
- * names of result files. Rejected keys are omitted. Runs are steady or 0.5 b/um
- * long, on level 5, with at most 40 steps.
+ * its words, a usual number, a number anywhere in its range, a file or a list.
+ * Numbers with a dimension are in SI units. The survey sets levels, end times
+ * and names of result files. Rejected keys are omitted. Runs are steady or 0.5
+ * b/um long, on level 5, with at most 40 steps.
  *
  * A case is solved or fails with a message. All fields of solved cases are
  * finite, and so are the numbers in summary and messages. Errors of converged
- * films are below 1e-4 (load) and 1e-2 (mass conservation): a step is accepted
+ * films are below 1e-4 (load) and 1e-2 (mass conservation). A step is accepted
  * with R = 1e-3 on any grid, and rounding errors of extreme contacts are
  * several times larger. Steady cases are solved again on levels 7 and 8. At
  * most 3 of 100 with an error estimate may differ by more than the estimate.

@@ -16,16 +16,16 @@
  *
  * Both domains have common nodes. H_cen of every step agrees within 5e-4, and
  * the maximum of P_max within 2e-3. In two of a hundred runs H_cen may differ
- * by 2e-3: the front of another film passes X = 0, or the curvature is not
- * convected further upstream. Cases are drawn again if a domain has no
- * solution, if a step is halved, or if the wide domain cannot convect the
- * curvature.
+ * by 2e-3. In these runs the front of another film passes X = 0, or the
+ * curvature is not convected further upstream. Cases are drawn again if a
+ * domain has no solution, if a step is halved, or if the wide domain cannot
+ * convect the curvature.
  *
  * With `jumps`, the load is a step within a factor of sqrt(5), and the radius
  * is constant. With the outlet position of constant loads, errors would be 0.4
  * to 1 % of a film thickness and 5 % of P_max during the jump. One of ten runs
- * may exceed the bounds, up to 2e-3 and 5e-3: the front of the film before the
- * jump passes X = 0, where the discretization error is larger.
+ * may exceed the bounds, up to 2e-3 and 5e-3. In these runs the front of the
+ * film before the jump passes X = 0, where the discretization error is larger.
  */
 void test_domains_survey(uint64_t seed, int runs, bool jumps);
 

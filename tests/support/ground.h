@@ -52,9 +52,9 @@ typedef struct test_ground_tally {
 test_ground_tally test_ground_survey(uint64_t seed, int runs, double from,
                                      double to, int level, double layer);
 
-/* Returns the mean asperity load share of a run with lambda = 1: film thickness
- * 194 nm, Rq of both surfaces 137 nm, wavelengths 0.15 to 1 b, asperity
- * pressure amplitude exp(-h/decay), decay in nm. */
+/* Returns the mean asperity load share of a run with lambda = 1. The asperity
+ * pressure is amplitude exp(-h/decay), decay in nm. The film thickness is 194
+ * nm, and both surfaces have an Rq of 137 nm and wavelengths of 0.15 to 1 b. */
 double test_ground_share(double amplitude, double decay, int level);
 
 #endif

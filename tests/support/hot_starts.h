@@ -10,8 +10,8 @@
  * both directions, and levels 6 to 9. All rheological models of the table of
  * keys occur, also with a limiting shear stress and mass-conserving cavitation.
  * At most 3 in 100 fail. The energy balance error of the others is below 2 %. A
- * failed start costs at most 22 times as much as a mean start on its level: the
- * limit of 20 and one iteration.
+ * failed start costs at most 22 times as much as a mean start on its level.
+ * This is the limit of 20 and one iteration.
  */
 void test_hot_starts_survey(uint64_t seed, int runs);
 
