@@ -11,8 +11,8 @@
  * warning, or if more than a tenth of the errors exceed it. */
 void test_levels_steady(uint64_t seed, int cases);
 
-/* Does the same for runs with a dent or a wave that passes the contact, with a
- * requested rms error of H_cen of 3e-3. */
+/* Checks the same for runs with a dent or a wave that passes the contact, with
+ * a requested rms error of H_cen of 3e-3. */
 void test_levels_in_time(uint64_t seed, int cases);
 
 /* Runs random cases of five kinds with level = usual: a sliding dent, also with
@@ -21,8 +21,8 @@ void test_levels_in_time(uint64_t seed, int cases);
  * fifth exceed 1e-3. */
 void test_levels_usual(uint64_t seed, int cases);
 
-/* Does the same for random steady contacts with asperity contact. Fails the
- * test if an error exceeds 2e-3. */
+/* Checks the same for random steady contacts with asperity contact. No error
+ * may exceed 2e-3. */
 void test_levels_touching(uint64_t seed, int cases);
 
 #endif

@@ -12,8 +12,8 @@
  * order. Coarser grids may be rejected with a message. */
 void test_order_survey(uint64_t seed, int contacts);
 
-/* Does the same for Eyring films with M up to 100, tau0 of 0.03 to 1 ph b/R,
- * SRR 0 to 1. */
+/* Solves Eyring films with M up to 100, tau0 of 0.03 to 1 ph b/R, SRR 0 to 1.
+ */
 void test_order_survey_eyring(uint64_t seed, int contacts);
 
 #endif

@@ -9,8 +9,7 @@
  * the same bits. Files are written to `folder`. */
 void test_walk_pairs(const char *folder, int every);
 
-/* Does the same for each feature in combination with a gear, a cam and a roller
- * bearing. */
+/* Runs each feature in combination with a gear, a cam and a roller bearing. */
 void test_walk_elements(const char *folder, int every);
 
 #endif

@@ -20,7 +20,7 @@ typedef struct test_slides {
 } test_slides;
 
 /* Runs M = 20, L = 10 with a dent of depth 0.05 that passes the contact, or
- * stands at X = 0, and adds its numbers. */
+ * is stationary at X = 0, and adds its numbers. */
 void test_slides_add(test_slides *all, const test_slide *one);
 
 typedef struct test_rough_slide {
