@@ -73,11 +73,10 @@ void ovr_run_recall(ovr_run *run, const char *warnings);
 void ovr_element_summary(const ovr_run_info *run, ovr_summary_taker *take,
                          void *data);
 
-/* Returns the finite numbers of the summary, or NULL without memory. `all`
- * includes the number of snapshots and the computing time. */
-const ovr_group_attribute *ovr_run_numbers(const ovr_run *run, bool all,
-                                           ovr_arena *arena, size_t *count,
-                                           ovr_error *err);
+/* Returns the finite numbers of the summary except the number of snapshots and
+ * the computing time, or NULL without memory. */
+const ovr_group_attribute *ovr_run_numbers(const ovr_run *run, ovr_arena *arena,
+                                           size_t *count, ovr_error *err);
 
 /* Stores the numbers of the summary in the result file. */
 ovr_status ovr_run_keep_summary(ovr_run *run, ovr_error *err);

@@ -230,24 +230,39 @@ static bool write_case(const table *t)
     return good;
 }
 
-/* Numbers of the summary of all passes. If the passes ended before the program
- * was killed, they are those of the last pass. */
+/* Numbers of the summary of all passes, in the same order whether the program
+ * was killed or not. If the passes ended before it was killed, they are those
+ * of the last pass. Result files contain the number of snapshots and the
+ * computing time elsewhere. */
 static const ovr_group_attribute *summary_of(const ovr_run *run,
                                              ovr_arena *arena, size_t *count)
 {
     const ovr_passes *p = run->passes;
-    if (run->info.sim)
-        return ovr_run_numbers(run, true, arena, count, NULL);
-    ovr_result *last = ovr_result_open(p->file[p->rows - 1],
-                                       &run->arena.allocator, NULL);
-    const ovr_group_attribute *from =
-        last ? ovr_result_attributes(last, "summary", count) : NULL;
+    ovr_result *last = NULL;
+    const ovr_group_attribute *from;
+    double snapshots = (double)run->info.snapshots, seconds = run->info.seconds;
+    if (run->info.sim) {
+        from = ovr_run_numbers(run, arena, count, NULL);
+    } else {
+        last = ovr_result_open(p->file[p->rows - 1], &run->arena.allocator,
+                               NULL);
+        from = last ? ovr_result_attributes(last, "summary", count) : NULL;
+    }
+    if (last) {
+        const ovr_result_info *about = ovr_result_get_info(last);
+        snapshots = (double)about->snapshots;
+        seconds = about->seconds;
+    }
     *count = from ? *count : 0;
-    ovr_group_attribute *to = ovr_arena_take(arena, *count + 1, sizeof *to,
+    ovr_group_attribute *to = ovr_arena_take(arena, *count + 2, sizeof *to,
                                              NULL);
-    for (size_t k = 0; to && from && k < *count; k++)
+    for (size_t k = 0; to && k < *count; k++)
         to[k] = (ovr_group_attribute){ovr_arena_text(arena, from[k].name, NULL),
                                       NULL, from[k].number};
+    if (to && from) {
+        to[(*count)++] = (ovr_group_attribute){"snapshots", NULL, snapshots};
+        to[(*count)++] = (ovr_group_attribute){"seconds", NULL, seconds};
+    }
     ovr_result_close(last);
     return to;
 }

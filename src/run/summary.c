@@ -450,7 +450,6 @@ enum { MAX_LINES = 256 };
 
 typedef struct kept {
     ovr_arena *arena;
-    bool all; /* also what a result file contains elsewhere */
     size_t count;
     ovr_group_attribute line[MAX_LINES];
 } kept;
@@ -462,8 +461,7 @@ static void keep(void *data, const ovr_summary_line *line)
     kept *k = data;
     const char *key;
     if (line->form == OVR_SUMMARY_TEXT || !isfinite(line->number) ||
-        (!k->all &&
-         (!strcmp(line->key, "snapshots") || !strcmp(line->key, "seconds"))) ||
+        !strcmp(line->key, "snapshots") || !strcmp(line->key, "seconds") ||
         k->count == MAX_LINES)
         return;
     key = ovr_arena_text(k->arena, line->key, NULL);
@@ -471,16 +469,14 @@ static void keep(void *data, const ovr_summary_line *line)
         k->line[k->count++] = (ovr_group_attribute){key, NULL, line->number};
 }
 
-const ovr_group_attribute *ovr_run_numbers(const ovr_run *run, bool all,
-                                           ovr_arena *arena, size_t *count,
-                                           ovr_error *err)
+const ovr_group_attribute *ovr_run_numbers(const ovr_run *run, ovr_arena *arena,
+                                           size_t *count, ovr_error *err)
 {
     kept *k = ovr_arena_take(arena, 1, sizeof *k, err);
     *count = 0;
     if (!k)
         return NULL;
     k->arena = arena;
-    k->all = all;
     ovr_run_summary(&run->info, keep, k);
     *count = k->count;
     return k->line;
@@ -489,8 +485,7 @@ const ovr_group_attribute *ovr_run_numbers(const ovr_run *run, bool all,
 ovr_status ovr_run_keep_summary(ovr_run *run, ovr_error *err)
 {
     ovr_group group = {.path = "summary"};
-    group.attribute = ovr_run_numbers(run, false, &run->arena,
-                                      &group.attributes, err);
+    group.attribute = ovr_run_numbers(run, &run->arena, &group.attributes, err);
     return group.attribute ? ovr_writer_group(run->writer, &group, false, err)
                            : OVR_NO_MEMORY;
 }

@@ -29,6 +29,14 @@ expect 0 env FAULT_REPORT=counts LD_PRELOAD=./faults.so \
 told | sed 's/whole/part/' >whole.json
 writes=$(awk '{ print $2 }' counts)
 "$OVERROLL" export whole.h5 >whole.csv
+# Names and numbers of the summary, which become columns of study tables.
+summary() {
+    h5dump -g summary "$1" | awk -F'"' '/ATTRIBUTE/ { name = $2 }
+        /\(0\)/ && name != "seconds" { print name, $0 }'
+}
+need h5dump
+summary whole.h5 >whole.summary
+contains whole.summary '^snapshots '
 contains whole.csv '^3,[0-9]'
 
 # One at each of the last writes: the table is the last that is written.
@@ -44,6 +52,8 @@ while [ $k -le "$writes" ]; do
     "$OVERROLL" export part.h5 >part.csv
     cmp -s whole.csv part.csv || fail "killed at write $k of $writes:" \
         "$(diff whole.csv part.csv)"
+    summary part.h5 | cmp -s - whole.summary ||
+        fail "killed at write $k of $writes: another summary"
     expect 0 "$OVERROLL" resume part.h5
     contains err 'run is already complete'
     k=$((k + 1))
