@@ -41,6 +41,8 @@ struct ovr_resolved {
                         * 0: none */
     double substrate;  /* E' of the bodies without coatings */
     double half_width; /* maximum dry half-width over run and passes, in b */
+    double prepared;   /* multiplications, about, by which heights were
+                        * prepared */
     const char *step_reason; /* with step = auto: reason for steps of one mesh
                               * size; or NULL */
     double pass_load;        /* factor of the load of a pass; 0: none */

@@ -150,6 +150,7 @@ static ovr_status make_anew(ovr_resolved *r, const ovr_allocator *allocator,
     measure(&r->setup);
     if (make_surfaces(r, allocator, err))
         return err ? err->status : OVR_BAD_INPUT;
+    r->prepared += ovr_surfaces_work(r->setup.surfaces);
     return OVR_OK;
 }
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "run/cost.h"
+#include "case/resolve.h"
 #include "case/setup.h"
 #include "contact/film_formula.h"
 #include "physics/heat/heat.h"
@@ -15,6 +16,9 @@
  * times as long: about those of AVX2. */
 static const double START = 0.004, NODE_STEP = 1.8e-7, THINNING = 1.1e-7;
 static const double STEADY_STEPS = 12, SECONDS_A_NODE = 5e-8;
+
+/* A multiplication of the preparation of rough surfaces. */
+static const double MULTIPLICATION = 8e-10;
 
 /* Time of a run with adaptive steps relative to steps of one mesh size (cams,
  * levels 6 to 8: 0.04 to 0.13). */
@@ -174,6 +178,7 @@ ovr_cost ovr_setup_cost(const ovr_setup *setup, double live)
     pass += ovr_setup_lines(setup) > 1
                 ? strip_growth(setup)
                 : growing_steps(setup) * cost.nodes * node_step;
+    pass += setup->resolved->prepared * MULTIPLICATION;
     cost.seconds = START + cost.passes * pass;
     cost.seconds += refine_seconds(setup->options, cost.nodes);
     return cost;

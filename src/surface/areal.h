@@ -32,6 +32,9 @@ ovr_status ovr_areal_finish(ovr_profile *profile,
  * from 0. */
 void ovr_areal_plane(const ovr_areal *areal, double to[3]);
 
+/* Returns the multiplications of ovr_areal_measure, about. */
+double ovr_areal_measure_work(const ovr_areal *areal);
+
 /* Generates random areal roughness, periodic with the given length and width,
  * in b. The lay is at `angle` (radians) from the y axis. The last row and
  * column equal the first. */

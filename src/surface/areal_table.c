@@ -285,6 +285,10 @@ static ovr_status fill(const ovr_areal *map, const direction *x,
         return OVR_NO_MEMORY;
     resample_rows(map, &along, rows);
     resample_columns(rows, x->entries, &across, all);
+    double taps[] = {(double)(along.entries * along.taps),
+                     (double)(across.entries * across.taps)};
+    t->work = taps[0] * ((double)map->ny + OVR_SINC_WORK) +
+              taps[1] * ((double)x->entries + OVR_SINC_WORK);
     double was = variance(map->nx * map->ny, map->z);
     double is = variance(y->entries * x->entries, all);
     t->lost = was > 0 ? fmax(0, 1 - is / was) : 0;

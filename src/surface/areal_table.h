@@ -29,6 +29,7 @@ typedef struct ovr_areal_table {
     double wavelength; /* 2 pi Sq/Sdq, b */
     double lost; /* fraction of the variance removed with wavelengths too short
                   * for the grid */
+    double work; /* multiplications to make it, about */
 } ovr_areal_table;
 
 /* Grid and ends of a table. */

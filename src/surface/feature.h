@@ -56,6 +56,7 @@ typedef struct ovr_feature {
     double local_Rq; /* Rq before the grid's filter as seen by a contact
                       * (local_roughness.h), for profiles and roughness;
                       * otherwise 0 */
+    double work;     /* multiplications to make it, about */
 } ovr_feature;
 
 /* sigma(v) = 6 v^5 - 15 v^4 + 10 v^3 between 0 and 1: twice continuously

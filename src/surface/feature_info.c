@@ -95,6 +95,14 @@ ovr_feature_info ovr_surfaces_info(const ovr_surfaces *surfaces, size_t feature)
     return f ? info_of(f) : none;
 }
 
+double ovr_surfaces_work(const ovr_surfaces *surfaces)
+{
+    double work = 0;
+    for (size_t k = 0; k < ovr_surfaces_count(surfaces); k++)
+        work += ovr_surfaces_feature(surfaces, k)->work;
+    return work;
+}
+
 /* Returns height divided by wavelength of a moving feature; -1 if it does not
  * move. */
 static double slope(const ovr_feature *f)

@@ -257,23 +257,45 @@ static void find_lay(const correlation *c, ovr_areal_numbers *numbers)
         numbers->lay -= 180;
 }
 
-static ovr_status measure_lay(const ovr_areal *a, const plane *p,
-                              ovr_areal_numbers *numbers, ovr_arena *arena,
-                              ovr_error *err)
+/* Returns the points of a block along one side. */
+static size_t block(size_t n)
 {
-    size_t bx = (a->nx + SIDE - 1) / SIDE, by = (a->ny + SIDE - 1) / SIDE, size;
+    return (n + SIDE - 1) / SIDE;
+}
+
+static correlation correlation_of(const ovr_areal *a)
+{
+    size_t bx = block(a->nx), by = block(a->ny);
     correlation c = {.nx = (a->nx + bx - 1) / bx,
                      .ny = (a->ny + by - 1) / by,
                      .dx = a->dx * (double)bx,
                      .dy = a->dy * (double)by};
     c.cx = padded(c.nx);
     c.cy = padded(c.ny);
-    size = 2 * c.cx * c.cy;
+    return c;
+}
+
+double ovr_areal_measure_work(const ovr_areal *a)
+{
+    const double height = 12, butterfly = 5, shift = 20; /* multiplications */
+    correlation c = correlation_of(a);
+    double n = (double)(c.cx * c.cy),
+           side = (double)(c.nx < c.ny ? c.nx : c.ny);
+    return height * (double)(a->nx * a->ny) + butterfly * n * log2(n) +
+           shift * DIRECTIONS * side;
+}
+
+static ovr_status measure_lay(const ovr_areal *a, const plane *p,
+                              ovr_areal_numbers *numbers, ovr_arena *arena,
+                              ovr_error *err)
+{
+    correlation c = correlation_of(a);
+    size_t size = 2 * c.cx * c.cy;
     c.heights = ovr_arena_take(arena, size, sizeof *c.heights, err);
     c.mask = ovr_arena_take(arena, size, sizeof *c.mask, err);
     if (ovr_arena_status(arena))
         return OVR_NO_MEMORY;
-    if (fill(&c, a, p, bx, by) == c.nx * c.ny)
+    if (fill(&c, a, p, block(a->nx), block(a->ny)) == c.nx * c.ny)
         c.mask = NULL;
     correlate(&c, c.heights);
     if (c.mask)

@@ -99,7 +99,8 @@ static void describe(ovr_profile *p, const ovr_table *t, double mesh)
                          2 * mesh, 100 * t->lost, ends);
 }
 
-static void set_extents(ovr_feature *f, const ovr_table *t)
+static void set_extents(ovr_feature *f, const ovr_profile *p,
+                        const ovr_table *t)
 {
     double half = ovr_table_length(t) / 2;
     f->A = 0; /* the table contains the heights */
@@ -113,6 +114,7 @@ static void set_extents(ovr_feature *f, const ovr_table *t)
         f->ahead = INFINITY;
     f->finest = mean_wavelength(t);
     f->table = t;
+    f->work = p->work + t->work;
 }
 
 /* Returns the profile as read and conditioned; roughness as specified. */
@@ -158,7 +160,7 @@ static ovr_status fit(ovr_feature *f, const ovr_feature_form *form,
     if (status)
         return status;
     describe(p, table, mesh);
-    set_extents(f, table);
+    set_extents(f, p, table);
     f->assumed = ovr_arena_text(arena, p->notes, err);
     return f->assumed ? OVR_OK : OVR_NO_MEMORY;
 }
@@ -373,6 +375,8 @@ static ovr_status tabulate(ovr_feature *f, const ovr_feature_form *form,
     f->reach_ahead = f->ahead;
     f->finest = t->wavelength;
     f->areal = t;
+    f->work = ((ovr_profile *)map->owner)->work + t->work +
+              ovr_areal_measure_work(map);
     describe_map(map, t, mesh);
     return OVR_OK;
 }

@@ -31,6 +31,7 @@ struct ovr_profile {
     ovr_arena map_arena; /* memory of map.z */
     double offset;       /* x of the first point of a row of the map */
     bool map_only;       /* the caller needs the map only, without a line */
+    double work;         /* multiplications to make it, about */
     char notes[OVR_NOTES_SIZE];
 };
 

@@ -244,6 +244,9 @@ static ovr_profile *understand(ovr_profile *profile,
     return NULL;
 }
 
+/* Multiplications in the time in which a byte of a text is read. */
+static const double WORK_A_BYTE = 10;
+
 static ovr_profile *parse(const ovr_profile_source *source, bool map_only,
                           ovr_bytes content, const ovr_allocator *allocator,
                           ovr_error *err)
@@ -252,6 +255,7 @@ static ovr_profile *parse(const ovr_profile_source *source, bool map_only,
     if (!profile)
         return NULL;
     profile->map_only = map_only;
+    profile->work = WORK_A_BYTE * (double)content.size;
     return understand(profile, source, content, err);
 }
 

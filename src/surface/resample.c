@@ -146,8 +146,8 @@ static double filtered(const series *s, ptrdiff_t j, ptrdiff_t reach,
 }
 
 /* Computes the fraction of the variance that is filtered out. */
-static ovr_status find_lost(const series *s, double *part, ovr_arena *scratch,
-                            ovr_error *err)
+static ovr_status find_lost(const series *s, ovr_table *table,
+                            ovr_arena *scratch, ovr_error *err)
 {
     size_t step = sampling(s);
     ptrdiff_t reach = (ptrdiff_t)floor(s->reach / s->d);
@@ -162,7 +162,8 @@ static ovr_status find_lost(const series *s, double *part, ovr_arena *scratch,
         double r = s->z[j] - filtered(s, (ptrdiff_t)j, reach, weight);
         lost += r * r;
     }
-    *part = total > 0 ? lost / count / total : 0;
+    table->lost = total > 0 ? lost / count / total : 0;
+    table->work = 2 * (double)reach * count;
     return OVR_OK;
 }
 
@@ -231,6 +232,7 @@ static ovr_status tabulate(const series *s, const ovr_ends *ends, double mesh,
         return OVR_NO_MEMORY;
     for (size_t k = 0; k <= m; k++)
         table->z[k] = height(s, ends, taper, length, (double)k * table->h);
+    table->work += (double)m * 2 * s->reach / s->d * (OVR_SINC_WORK + 1);
     for (size_t k = 1; mirror && k <= m; k++)
         table->z[m + k] = table->z[m - k];
     if (table->endless)
@@ -254,7 +256,7 @@ ovr_status ovr_resample(const ovr_points *profile, double mesh,
     if (!status) {
         s.fc = fmin(0.5 / s.d, 0.875 * 0.5 / mesh);
         s.reach = 24 * fmax(s.d, mesh);
-        status = find_lost(&s, &table->lost, &scratch, err);
+        status = find_lost(&s, table, &scratch, err);
     }
     if (!status)
         status = tabulate(&s, ends, mesh, table, arena, err);

@@ -33,6 +33,7 @@ typedef struct ovr_table {
                      the heights grow from zero */
     double lost;  /* fraction of the profile's variance that is not in the
                    * table */
+    double work;  /* multiplications to make it, about */
 } ovr_table;
 
 /* Computes c from n, h, z and endless. */

@@ -108,6 +108,10 @@ ovr_feature_form ovr_feature_form_default(void);
 ovr_roughness ovr_roughness_default(void);
 
 size_t ovr_surfaces_count(const ovr_surfaces *surfaces);
+
+/* Returns the multiplications, about, by which the heights of profiles and
+ * roughness were prepared. */
+double ovr_surfaces_work(const ovr_surfaces *surfaces);
 ovr_feature_info ovr_surfaces_info(const ovr_surfaces *surfaces,
                                    size_t feature);
 

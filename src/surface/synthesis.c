@@ -195,6 +195,17 @@ static ovr_status shape_heights(random_surface *s, ovr_error *err)
     return OVR_OK;
 }
 
+/* Returns the multiplications, about, of n drawn heights and their transform,
+ * and of `rounds` alternations between ranks and spectrum. */
+static double work_of(const random_surface *s, int rounds)
+{
+    const double height = 50, transform = 4; /* 4 n log2 n */
+    double n = (double)s->n, once = transform * n * log2(n);
+    if (isnan(s->form->skewness) && isnan(s->form->kurtosis))
+        rounds = 0;
+    return height * n + once + 3 * rounds * once;
+}
+
 /* ----------------------------------------------------- checks of the form */
 
 static ovr_status bad(ovr_error *err, const char *key, double value,
@@ -265,6 +276,7 @@ static ovr_status hand_over(const random_surface *s, ovr_profile *p,
         p->z[i] = s->form->Rq * s->z[i % s->n];
     p->view.scaled_x = p->view.scaled_z = true;
     p->view.format = "roughness";
+    p->work = work_of(s, ITERATIONS);
     ovr_profile_note(p,
                      "random roughness, seed %d: %zu waves with wavelengths "
                      "of %g b to %g b, Rq = %g b^2/R",
@@ -461,6 +473,7 @@ static ovr_status fill_map(const areal_waves *a, ovr_profile *p, ovr_error *err)
     p->map.format = "roughness";
     p->map.notes = p->notes;
     p->map.owner = p;
+    p->work = work_of(&a->s, AREAL_ITERATIONS);
     ovr_profile_note(p,
                      "random, seed %d: waves down to %g b, period %g x %g b, "
                      "Peklenik number %g, Sq %g b^2/R",

@@ -277,6 +277,39 @@ as_cycles 2 steps.ini solver.tolerance=1e-10
 echo '[strip]' >>steps.ini
 as_cycles 2 steps.ini solver.tolerance=1e-10
 
+# The time includes the preparation of rough surfaces, which check does too: by
+# filters across in a strip, by alternations between ranks and spectrum.
+cat >prepared.ini <<'END'
+[contact]
+M = 20
+L = 5
+[domain]
+level = 4
+[feature r]
+shape = roughness
+Rq = 0.001
+length = 12
+start = 2
+END
+# spent ARGUMENTS...: CPU time of check
+spent() {
+    "$OVERROLL" check prepared.ini "$@" >out 2>err
+    times >cpu
+    awk 'NR == 2 { split($1, a, /[ms]/); print 60 * a[1] + a[2] }' cpu
+}
+for more in 'strip.width=4 --set feature.r.shortest=0.05' \
+    'feature.r.skewness=-1 --set feature.r.shortest=0.004'; do
+    # shellcheck disable=SC2086
+    {
+        dear=$(predicted prepared.ini --set $more)
+        cheap=$(predicted prepared.ini --set ${more%=*}=0.4)
+        echo "$dear $cheap $(spent --set $more) $(spent --set ${more%=*}=0.4)"
+    } >>costs
+done
+awk '{ r[NR] = ($1 - $2) / ($3 - $4) }
+    END { exit !(r[1] > r[2] / 3 && r[1] < 3 * r[2]) }' costs ||
+    fail "predicted and CPU times, dear and cheap surfaces: $(cat costs)"
+
 # The bounds stated for waves on a sliding surface.
 sed 's/= 1 GPa/= 1.6 GPa/; /^\[domain/,$d' begun.ini >waves.ini
 cat >>waves.ini <<'END'
