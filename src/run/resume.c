@@ -202,12 +202,14 @@ static ovr_status begin_pass(ovr_run *run, ovr_error *err)
     return ovr_output_open(run, err);
 }
 
-/* Continues the first incomplete pass. */
+/* Continues the first incomplete pass. A pass that was killed between its first
+ * checkpoint and the renaming of its file is begun again. */
 static ovr_status prepare_passes(ovr_run *run, const char *path, ovr_error *err)
 {
     if (ovr_passes_reopen(run, path, err))
         return OVR_BAD_INPUT;
-    if (!has_checkpoint(run->info.output))
+    if (access(run->info.output, F_OK) != 0 ||
+        !has_checkpoint(run->info.output))
         return begin_pass(run, err);
     ovr_passes_recall(run);
     return prepare(run, run->info.output, err);

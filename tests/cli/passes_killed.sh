@@ -68,6 +68,16 @@ for eighths in 3 4 5 6 7; do
     [ ! -f part-2.h5 ] || break
 done
 [ -f part-2.h5 ] && [ ! -f part-3.h5 ] || fail 'not killed in the second pass'
+
+# Killed between the first checkpoint of the second pass and the renaming of its
+# file: the pass is begun again.
+mkdir early
+cp part*.h5* early
+mv early/part-2.h5 early/part-2.h5.part
+(cd early && expect 0 "$OVERROLL" resume part.h5 -q) || exit 1
+"$OVERROLL" export early/part.h5 >part.csv
+cmp whole.csv part.csv || fail "killed before the file of a pass had its name"
+
 expect 0 "$OVERROLL" resume part.h5 -q
 expect 0 "$OVERROLL" info part-3.h5
 contains out '^part-3.h5: roller$'
