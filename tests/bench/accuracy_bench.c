@@ -25,8 +25,8 @@ enum { LEVELS = 4, WAYS = 3 };
 
 typedef struct question {
     const char *name;
-    const char *text; /* of the case, without domain.level */
-    int first, truth; /* levels */
+    const char *text; /* case without domain.level */
+    int first, truth; /* coarsest level; level of the reference */
 } question;
 
 #define CONTACT(slip) "[contact]\nM = 20\nL = 10\nslide_to_roll = " slip "\n"
@@ -37,7 +37,7 @@ typedef struct question {
 #define HOT                                                                    \
     "[lubricant]\nviscosity = 40 mPa.s\nalpha = 17 1/GPa\np0 = 198 MPa\n"      \
     "z = 0.68\nrheology = eyring\neyring_stress = 5 MPa\n"
-/* A tooth's load rises in the contact of one pair of gears. */
+/* Contact of two gear teeth with increasing load. */
 #define GEAR                                                                   \
     "[contact]\nload = 250 N/mm\nradius = 12 mm\nmodulus = 226 GPa\n"          \
     "mean_speed = 6 m/s\nslide_to_roll = 0.3\n[lubricant]\n"                   \
@@ -46,8 +46,8 @@ typedef struct question {
     "[feature g]\nshape = roughness\nRq = 0.03 um\nlength = 4\n"               \
     "shortest = 0.25\nseed = 1\nstart = -12\n[time]\nend = 17\n"
 
-/* M = 20, L = 10; the ground surface in the contact of profiles/ground.ini,
- * M = 41, L = 12, at a slide-to-roll ratio of 0.15. */
+/* M = 20, L = 10. The ground surface is in the contact of profiles/ground.ini,
+ * M = 41, L = 12, with a slide-to-roll ratio of 0.15. */
 static const question questions[] = {
     {"rolling dent, 0.5 b", CONTACT("0") DENT("0.5", "-4.6", "6"), 6, 11},
     {"rolling dent, 0.05 b", CONTACT("0") DENT("0.05", "-1.6", "3"), 7, 12},
@@ -95,7 +95,7 @@ static const char *before(void)
     return getenv("BEFORE");
 }
 
-/* Of a case: what the way adds to it. */
+/* Writes a case with the settings of one of the three ways. */
 static void write_case(const question *q, way w, int level, char *text,
                        size_t capacity)
 {
@@ -120,7 +120,7 @@ static void write_text(const char *path, const char *text)
     assert_int_equal(fclose(file), 0);
 }
 
-/* The series of a result file. */
+/* Reads the central film thickness of a result file. */
 static void read_series(const char *path, test_series *s)
 {
     ovr_error err = {0};
@@ -136,7 +136,7 @@ static void read_series(const char *path, test_series *s)
     ovr_result_close(result);
 }
 
-/* The folder's profile, as the case names it. */
+/* Links the profile that the case names into the folder. */
 static void link_profile(const char *folder, char *path, size_t capacity)
 {
     char here[400], target[450];
@@ -146,7 +146,7 @@ static void link_profile(const char *folder, char *path, size_t capacity)
     assert_int_equal(symlink(target, path), 0);
 }
 
-/* By the older program. */
+/* Runs a case with the older program. */
 static void run_before(const char *text, test_series *s)
 {
     char folder[] = "/tmp/overroll-bench-XXXXXX", input[64], output[64];
@@ -185,8 +185,8 @@ static void solve(const question *q, way w, int level, test_series *s)
         test_series_run(text, "profiles", s);
 }
 
-/* At an error, on the line in logarithms through the levels about it; beyond
- * them on that through the last two. */
+/* Interpolates the time for an error, linearly in logarithms, or extrapolates
+ * it from the last two levels. */
 static double seconds_at(double error, const cost of[LEVELS])
 {
     int k = 0;
@@ -208,7 +208,7 @@ static void record(const question *q, way w, int level, cost c)
     bench_end();
 }
 
-/* What an error of the program of before took, and takes now. */
+/* Prints the time for an error of the previous version, then and now. */
 static void compare(cost was, cost all[WAYS][LEVELS])
 {
     double now = fmin(seconds_at(was.error, all[DEFAULT]),
@@ -217,7 +217,7 @@ static void compare(cost was, cost all[WAYS][LEVELS])
            was.error, now, was.seconds, was.seconds / now);
 }
 
-static void answer(const question *q)
+static void compare_ways(const question *q)
 {
     static test_series truth, s; /* large */
     cost all[WAYS][LEVELS];
@@ -243,10 +243,10 @@ int main(int argc, char *argv[])
     bench_open(argc, argv);
     printf("\nruns in time: rms error of H_cen and CPU seconds on levels; "
            "before is %s\n",
-           before() ? before() : "this program told to do as 0.1.0 did");
+           before() ? before() : "this program with the settings of 0.1.0");
     bench_list("accuracy");
     for (size_t k = 0; k < sizeof questions / sizeof *questions; k++)
-        answer(&questions[k]);
+        compare_ways(&questions[k]);
     bench_end();
     bench_close();
     return 0;

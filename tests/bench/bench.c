@@ -70,7 +70,7 @@ static struct {
     FILE *file;
     int depth;
     char closing[8];
-    bool filled[8]; /* something stands before at this depth */
+    bool filled[8]; /* an item was written at this depth */
 } json;
 
 static void begin_item(const char *name)
@@ -179,7 +179,8 @@ struct bench_fft {
     fftw_plan forward, backward;
 };
 
-/* The least even number with factors 2, 3, 5, 7 only, at least n. */
+/* Returns the smallest even number of at least n whose factors are 2, 3, 5 and
+ * 7. */
 static size_t smooth_size(size_t n)
 {
     for (size_t size = n + n % 2;; size += 2) {

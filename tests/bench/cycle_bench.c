@@ -25,12 +25,12 @@ static const char *const part_names[] = {"deformation", "film",    "residual",
                                          "assemble",    "solve",   "distribute",
                                          "restrict",    "correct", "coarsest"};
 
-/* Of the cycle under way; the last is the cycle itself. */
+/* Time of each part of the present cycle; the last is the whole cycle. */
 static double spent[PARTS + 1];
 static const ovr_kernels *inner;
 
-/* Clock of the measurement: a cheap one, or for long cycles, during which other
- * programs run, one that stops for them. */
+/* Clock of the measurement: wall-clock time, which is cheap to read, or CPU
+ * time for long cycles, which other programs may interrupt. */
 static clockid_t watch;
 
 static double now(void)
@@ -149,8 +149,8 @@ static ovr_kernels timed_kernels(const ovr_kernels *kernels)
     return timed;
 }
 
-/* Medians over many cycles: on a machine that others use too, some stop in
- * the middle. */
+/* Number of cycles for the medians. Other programs may interrupt some cycles.
+ */
 enum { CYCLES = 51 };
 
 static void measure(ovr_simulation *sim, double medians[PARTS + 1])

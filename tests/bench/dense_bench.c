@@ -26,7 +26,8 @@ void openblas_set_num_threads(int);
 enum { MAX = 1800 };
 static int newton_steps;
 
-/* Rows of the kernel are columns of LAPACK: the transposed system. */
+/* Solves with LAPACK. Rows of the kernel are columns of LAPACK, so that it
+ * solves the transposed system. */
 static bool by_lapack(size_t m, size_t stride, double *A, double *x)
 {
     static lapack_int pivots[MAX];
@@ -38,7 +39,7 @@ static bool by_lapack(size_t m, size_t stride, double *A, double *x)
            !LAPACKE_dgetrs(LAPACK_COL_MAJOR, 'T', n, 1, A, lda, pivots, x, n);
 }
 
-/* A single grid: nothing but Newton steps. */
+/* Returns the time of a solution by Newton steps on a single grid. */
 static double newton_seconds(int level, double *film)
 {
     ovr_options options = test_options();
@@ -95,12 +96,12 @@ static void beside_newton(void)
     bench_end();
 }
 
-/* Levels 5 to 14; an HP 9000/800, 1990. */
+/* Seconds for levels 5 to 14 on an HP 9000/800 (1990). */
 static const double paper[] = {12, 24, 48, 98, 197, 398, 800, 1610, 3780, 7680};
 
 static void beside_the_paper(void)
 {
-    printf("\nlike the paper's Table 1: first order, 2 V(1,1) a level\n"
+    printf("\nlike the paper's Table 1: first order, 2 V(1,1) per level\n"
            "%6s %9s %10s %10s %15s\n",
            "level", "n", "ms", "paper s", "times as fast");
     bench_list("table_1");

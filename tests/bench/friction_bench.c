@@ -41,7 +41,7 @@ static ovr_simulation *contact(const struct law *law, ovr_flow_law **table)
     return ovr_simulation_create(&c.contact, &c.lubricant, &o, NULL, &err);
 }
 
-/* From a steady state to where the dent is in the contact. */
+/* Marches from a steady state until the dent is in the contact. */
 static void steps(void *data)
 {
     static test_feature dent = {'l', -0.1, 0.5, -1.5, 1.25, 0};
@@ -111,9 +111,9 @@ static void compare(const char *set)
 int main(int argc, char *argv[])
 {
     bench_open(argc, argv);
-    printf("steps of a dent by flow law, level 8; medians of CPU time; flow: "
-           "the law's "
-           "kernel, ns a node\n%-7s %-10s %7s %9s %7s %7s %7s %9s\n",
+    printf("steps of a dent by rheological model, level 8; medians of CPU "
+           "time; flow: kernel of the model, ns per node\n%-7s %-10s %7s %9s "
+           "%7s %7s %7s %9s\n",
            "kernels", "law", "Sigma0", "step, us", "ratio", "goal", "cycles",
            "flow, ns");
     bench_list("flow_laws");

@@ -31,7 +31,7 @@ int main(int argc, char *argv[])
 {
     bench_open(argc, argv);
     printf("ground pairs below lambda 1, level %d\n", LEVEL);
-    printf("solved by   seed  steps  cycles a step  retries  us a step\n");
+    printf("solved by   seed  steps  cycles/step    retries  us/step\n");
     bench_list("ground");
     for (int k = 0; k < PAIRS; k++) {
         asked a = {.seed = pairs[k].seed};

@@ -47,7 +47,7 @@ static ovr_simulation *contact(const struct kind *kind, const char *set)
     return sim;
 }
 
-/* On from where it is. */
+/* Marches from the present state. */
 static void steps(void *data)
 {
     ovr_simulation *sim = data;
@@ -83,7 +83,7 @@ static void compare(const char *set)
     bench_work work[KINDS];
     for (int k = 0; k < KINDS; k++) {
         sim[k] = contact(&kinds[k], set);
-        steps(sim[k]); /* until it has begun */
+        steps(sim[k]); /* the first steps are not measured */
         work[k] = (bench_work){steps, sim[k], 0};
     }
     bench_measure(KINDS, work, 0, ROUNDS);

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Each kernel alone: ns per node, and fractions of the peak performance of the
- * machine, measured in the same run. The peaks are those of multiply-adds in
- * registers and of a triad with the same number of bytes. The larger fraction
- * is the limit of a kernel. If both fractions are small, the kernel is limited
- * by dependent operations or divisions. Reading is faster than writing, of
- * which the triad contains much, so that kernels that mostly read can exceed
- * its peak. */
+/* Time of each kernel in ns per node and as fractions of the peak performance
+ * of the machine, measured in the same run. The peaks are those of
+ * multiply-adds in registers and of a triad with the same number of bytes. The
+ * larger fraction is the limit of a kernel. If both fractions are small, the
+ * kernel is limited by dependent operations or divisions. Reading is faster
+ * than writing, of which the triad contains much, so that kernels that mostly
+ * read can exceed its peak. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -63,8 +63,8 @@ static void run_assemble(void *sim)
                                     &l->f, &s->grids.band);
 }
 
-/* The solver works in place: its rows have to be made again each time, and
- * their time is taken off. */
+/* Assembles and solves. The solver overwrites its rows, which must therefore be
+ * assembled each time. The time of the assembly is subtracted. */
 static void run_assemble_solve(void *sim)
 {
     ovr_simulation *s = sim;
@@ -96,7 +96,7 @@ static void run_correct(void *sim)
                               coarse->f.entry, &fine->f);
 }
 
-/* Of a contact with heat, Eyring's film, 5 points. */
+/* Thermal contact, Eyring film, 5 points. */
 static void run_flow_cross_film(void *sim)
 {
     ovr_simulation *s = sim;
@@ -119,7 +119,7 @@ static void run_carry_along(void *sim)
     ovr_carry_along(&departures, h->surface[0].past, h->P_T);
 }
 
-/* Of a surface along which heat flows. */
+/* Surface with heat conduction along x. */
 static void run_step_modes(void *sim)
 {
     ovr_simulation *s = sim;
@@ -135,18 +135,18 @@ static void run_step_modes(void *sim)
 }
 
 /*
- * Operations and bytes a node, counted by hand in the kernels' text for the
- * line smoother, Roelands, second order.  A multiply-add is two operations; a
- * division, comparison or choice one or none (division one); integer work is
- * not counted.  Bytes: each array that a pass over the grid reads or writes
- * counts 8 a node, once a pass; what a vector shares with its neighbours comes
- * from registers or the nearest cache.
+ * Operations and bytes per node, counted by hand in the sources of the kernels
+ * for the line smoother, Roelands' relation, second order. A multiply-add
+ * counts as two operations, a division as one, comparisons and selections as
+ * one or none. Integer operations are not counted. Each array that is read or
+ * written in a loop over the grid counts as 8 bytes per node. Values that
+ * neighbouring vectors share are in registers or the first cache.
  *
  * film: logarithm 20, the rest of the first pass 14, t^z 16 + 3, viscosity 16
- * + 6.  Reads P, gap, w; writes H, rho, dq, q, eps, deps (the blocks of a pass
- * stay in the nearest cache).
- * residual: three sums, two products a side less what they share 7, wedge 6,
- * 2 to finish, tolerance 1.  Reads P, eps, q, F; writes r.
+ * + 6.  Reads P, gap, w; writes H, rho, dq, q, eps, deps (the blocks of a loop
+ * remain in the first cache).
+ * residual: three sums and two products per side without common terms 7, wedge
+ * 6, end 2, tolerance 1.  Reads P, eps, q, F; writes r.
  * phase: tolerance 1.  Reads P, q, r.
  * imbalance: d 5, fall 1, sum 1.  Reads P, eps, r.
  * band_assemble: differences 4, elastic coefficients 3, seven elastic sums 35,
@@ -155,26 +155,26 @@ static void run_step_modes(void *sim)
  * band_solve: elimination 24, two heads 18, back substitution 8.  Reads six
  * and writes five arrays, then reads five and writes one.
  * distribute: 6.  Reads delta, P; writes P.
- * restrict_fields, a fine node: 8/2.  Reads P, H, r; writes four coarse ones.
- * correct, a fine node: (2 + 5)/2.  Reads P and two coarse ones; writes P.
+ * restrict_fields, per fine node: 8/2.  Reads P, H, r; writes four coarse
+ * arrays.
+ * correct, per fine node: (2 + 5)/2.  Reads P and two coarse arrays; writes P.
  * flow_cross_film: means 10; six powers of temperature, each a logarithm 20, a
  * power 16 and 2; five ratios 19, moments 25, Y 19; hyperbolic functions of
  * three points 28, their sums 20, a 20, its logarithm 35; rates 25, heating and
  * velocities 60, gamma 24.  Reads X, P, H, log_eta, five T; writes five u and
  * heatings, t, gamma.
  * heat_cross_film: rows 105, elimination 80, back substitution 25, mean and
- * fluxes
- * 18.  Reads X, P, H, q, P_T, gamma, two pasts, five u, heatings, T and
- * departure points; writes five T, the mean, two fluxes. carry_along: a
- * cubic 7.  Reads an array, writes one. step_modes, 16 of them: a cubic 7, two
- * sweeps 6, a step 5.  Reads modes and two arrays, writes and reads what one
- * sweep leaves, writes modes.
+ * fluxes 18.  Reads X, P, H, q, P_T, gamma, two earlier times, five u,
+ * heatings, T and departure points; writes five T, the mean, two fluxes.
+ * carry_along: a cubic 7.  Reads and writes an array.
+ * step_modes, 16 modes: a cubic 7, two sweeps 6, a step 5.  Reads modes and two
+ * arrays, writes and reads the result of one sweep, writes modes.
  */
 static const struct kernel {
     const char *name;
     void (*run)(void *);
     double flops, bytes; /* 0: counted from the plan */
-    bool hot;            /* of a contact with heat */
+    bool hot;            /* needs a thermal contact */
 } kernels[] = {{"deformation", run_deformation, 0, 0, false},
                {"film", run_film, 75, 72, false},
                {"residual", run_residual, 16, 40, false},
@@ -192,11 +192,12 @@ static const struct kernel {
 enum { KERNELS = sizeof kernels / sizeof *kernels, ASSEMBLE = 5, SOLVE = 6 };
 
 /*
- * Deformation on a grid of m nodes, half order h, range r: transfer, m/2 sums
- * of h pairs at 3 operations; even outputs, m/2 of r/2 pairs; odd ones, m/2 of
- * h + r pairs and a product.  Read and written: u and half of U; half of u,
- * twice half of the even results; these and u, the results.  The dense sum
- * takes 2 operations a pair of nodes.
+ * Counts operations and bytes of the deformation. On a grid of m nodes with
+ * half order h and range r there are m/2 sums of h pairs with 3 operations
+ * (transfer), m/2 of r/2 pairs (even outputs), and m/2 of h + r pairs and a
+ * product (odd outputs). The loops read and write u and half of U; half of u
+ * and twice half of the even outputs; these, u and the outputs. The dense sum
+ * has 2 operations per pair of nodes.
  */
 static void count_deformation(const ovr_mlmi *plan, double *flops,
                               double *bytes)
@@ -222,7 +223,7 @@ typedef struct figures {
     double ns, flops, bytes, of_flops, of_bytes;
 } figures;
 
-/* After a step. */
+/* Creates a thermal contact and marches one step. */
 static ovr_simulation *hot_contact(int level, const ovr_kernels *set)
 {
     test_hot hot = test_hot_make(20, 10, 0.5, 5e6, NULL);
@@ -268,7 +269,7 @@ static void one_level(const ovr_kernels *set, double peak, int level,
 static void print_set(const char *set, double peak,
                       figures found[LEVELS][KERNELS])
 {
-    printf("\n%s: ns a node, %% of %.1f Gflop/s, %% of the triad's bytes\n"
+    printf("\n%s: ns per node, %% of %.1f Gflop/s, %% of the triad's bytes\n"
            "%-16s %5s %5s",
            set, 1e-9 * peak, "", "flops", "bytes");
     for (int l = 0; l < LEVELS; l++)
@@ -309,7 +310,7 @@ static void one_set(const char *set)
 
 static void bandwidths(void)
 {
-    printf("triad, GB/s over so many kB:");
+    printf("triad, GB/s for arrays of a number of kB:");
     bench_list("triad");
     for (size_t kB = 12; kB <= (size_t)12 << 14; kB *= 4) {
         double rate = bench_bandwidth(1024 * kB);
@@ -323,7 +324,7 @@ static void bandwidths(void)
     bench_end();
 }
 
-/* Newton on the coarsest grid: 2/3 m^3 operations. */
+/* Performs a Newton step on the coarsest grid, 2/3 m^3 operations. */
 static void solve_dense(void *sim)
 {
     ovr_simulation *s = sim;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Memory per node, all levels together: bytes that a simulation allocates in
- * its constructor. It allocates nothing later, and the value is the same for
- * steady solutions and runs. */
+/* Memory per node of the finest grid: bytes that a simulation allocates for all
+ * levels when it is created. It allocates nothing later. The value is the same
+ * for steady solutions and runs. */
 #include <stdio.h>
 
 #include "bench.h"
@@ -29,7 +29,7 @@ static double bytes_a_node(int level, ovr_scheme scheme, ovr_smoother smoother)
 int main(int argc, char *argv[])
 {
     bench_open(argc, argv);
-    printf("\nbytes a node, steady or transient\n%5s %10s %12s %16s %10s\n",
+    printf("\nbytes per node, steady or transient\n%5s %10s %12s %16s %10s\n",
            "level", "nodes", "upstream", "characteristic", "hybrid");
     bench_list("memory");
     for (int level = 6; level <= 14; level++) {

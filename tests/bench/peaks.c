@@ -12,8 +12,8 @@
 #include "multigrid/kernels.h"
 #include "support/test.h"
 
-/* CHAINS independent sums: more than the latency of an addition times the
- * units. */
+/* Number of independent sums, more than the latency of an addition times the
+ * number of units. */
 enum { CHAINS = 12, TURNS = 2000 };
 
 #ifdef __clang__
@@ -22,7 +22,7 @@ enum { CHAINS = 12, TURNS = 2000 };
 #define IN_REGISTERS _Pragma("GCC unroll 32")
 #endif
 
-/* A loop of TURNS x CHAINS vectors: v <- v m + c. */
+/* Defines a loop of TURNS x CHAINS vector operations v <- v m + c. */
 /* clang-format off */
 #define FLOPS(name, attributes, type, start, step)                             \
     attributes static void name(void *data)                                    \
@@ -88,7 +88,7 @@ static void run_triad(void *data)
 
 double bench_bandwidth(size_t bytes)
 {
-    /* not all three at the same place of a page */
+    /* the three arrays have different offsets in a page */
     enum { APART = 11 * 8 };
     size_t n = bytes / 24 / 8 * 8, all = 3 * (n + APART);
     double *memory = aligned_alloc(64, all * sizeof *memory);

@@ -14,7 +14,7 @@
 enum { KINDS = 3, ROUNDS = 3 };
 
 static const struct kind {
-    const char *name, *goes_on;
+    const char *name, *section;
 } kinds[KINDS] = {{"elastic", ""},
                   {"swift", "[plastic]\nhardening = swift\n"},
                   {"soft", "[plastic]\nhardening = linear\nyield = 0.75\n"
@@ -37,8 +37,9 @@ static void roll(void *data)
     const struct kind *kind = data;
     char text[1200];
     ovr_error err;
-    snprintf(text, sizeof text, "%s%s", contact, kind->goes_on);
+    snprintf(text, sizeof text, "%s%s", contact, kind->section);
     ovr_case *c = ovr_case_read_text(text, kind->name, NULL, NULL, &err);
+    /* Stress histories require a result file. */
     const ovr_run_options how = {.output = "plastic_bench.h5"};
     ovr_run *run = ovr_run_create(c, &how, NULL, &err);
     assert_non_null(run);
@@ -54,12 +55,12 @@ int main(int argc, char *argv[])
     bench_work work[KINDS];
     for (int k = 0; k < KINDS; k++)
         work[k] = (bench_work){roll, (void *)(uintptr_t)&kinds[k], 0};
-    bench_open(argc, argv); /* stresses are followed for a file alone */
+    bench_open(argc, argv);
     char folder[] = "/tmp/plastic_bench.XXXXXX";
     if (!mkdtemp(folder) || chdir(folder))
         return 1;
     bench_list("plastic");
-    puts("body          a pass   of the elastic one");
+    puts("body          a pass   relative to the elastic one");
     bench_measure(KINDS, work, 0, ROUNDS);
     for (int k = 0; k < KINDS; k++) {
         double of = work[k].seconds / work[0].seconds;

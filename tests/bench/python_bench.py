@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python_bench.py FILE.json: what Python adds at level 8.
+"""Measures the cost of the Python interface on level 8.
 
-A dent rolls in, the same steps by one call of ovr_simulation_march and by a
-loop over Simulation.march that looks at the state; and a steady contact from
-its keys, by the calls of the library alone and by overroll.steady.  Both take
-turns; CPU time of this thread, the least of all turns.
+usage: python_bench.py FILE.json
+
+Steps of a rolling dent are computed by one call of ovr_simulation_march and by
+a loop over Simulation.march that reads the state. A steady contact is computed
+from its keys by functions of the library and by overroll.steady. Both variants
+are run in alternation. The CPU time of this thread is the minimum of all turns.
 """
 import json
 import sys
@@ -56,7 +58,7 @@ def steady_in_python():
         ovr.steady(M=20, L=10, level=LEVEL)
 
 
-def took(work, *arguments):
+def cpu_time(work, *arguments):
     began = time.thread_time()
     work(*arguments)
     return time.thread_time() - began
@@ -69,12 +71,12 @@ def least(*works):
 
 end = STEPS * started().D
 c_step, python_step = (t / STEPS for t in least(
-    lambda: took(march_in_c, started(), end),
-    lambda: took(march_in_python, started(), end)))
+    lambda: cpu_time(march_in_c, started(), end),
+    lambda: cpu_time(march_in_python, started(), end)))
 c_steady, python_steady = (t / SOLVES for t in least(
-    lambda: took(steady_in_c), lambda: took(steady_in_python)))
+    lambda: cpu_time(steady_in_c), lambda: cpu_time(steady_in_python)))
 print("Python at level 8                 C   Python   ratio")
-for name, c, python in (("step, its H_min looked at", c_step, python_step),
+for name, c, python in (("step, reading its H_min", c_step, python_step),
                         ("steady contact", c_steady, python_steady)):
     print(f"{name:28} {1e6 * c:6.0f} {1e6 * python:6.0f} us {python / c:6.3f}")
 with open(sys.argv[1], "w") as file:

@@ -13,7 +13,7 @@
 
 enum { SETS = 3, FIRST = 8, LAST = 18, LEVELS = (LAST - FIRST) / 2 + 1 };
 
-/* Goals are those of AVX-512; NAN where there is none. */
+/* Prints a row. Goals are for AVX-512; NAN: no goal. */
 static void row(const char *what, int level, double goal,
                 const double measured[SETS])
 {
@@ -47,7 +47,7 @@ static ovr_simulation *contact(int set, int level, ovr_scheme scheme,
     return sim;
 }
 
-/* The best that this machine has. */
+/* Returns the fastest instruction set of this machine. */
 static int best_set(void)
 {
     int set = 0;
@@ -56,7 +56,7 @@ static int best_set(void)
     return set;
 }
 
-/* ------------------------------------------------- parts, in convolutions */
+/* -------------------------------- parts in units of a convolution by FFTW */
 
 static void deform(void *sim)
 {
@@ -82,13 +82,14 @@ static void (*const parts[PARTS])(void *) = {deform, cycle, solve};
 static const char *const names[PARTS] = {"MLMI, FFTs", "V(1,1), FFTs",
                                          "FMG, FFTs"};
 
-/* Seconds of each part by level and set; algebraic error of FMG over the
+/* Seconds of each part by level and set; algebraic error of FMG relative to the
  * discretization error; seconds of the convolution. */
 typedef struct timed {
     double part[PARTS][LEVELS][SETS], algebraic[LEVELS], fft[LEVELS], n[LEVELS];
 } timed;
 
-/* Growth alone needs no convolution, and one instruction set, beyond 16. */
+/* Measures a level. Above level 16 only the growth is measured, with one
+ * instruction set and without the convolution. */
 static void measure_level(timed *t, int k)
 {
     int level = FIRST + 2 * k;
@@ -105,7 +106,7 @@ static void measure_level(timed *t, int k)
         if (sim[s])
             solve(sim[s]);
     }
-    /* long enough that each finds its arrays in the cache again */
+    /* Long enough for the arrays to be in the cache. */
     double minimum = level < 14 ? 2e-3 : level < 16 ? 5e-3 : 20e-3;
     if (fft)
         bench_measure(works, work, minimum, level < 14 ? 15 : 5);
@@ -145,7 +146,7 @@ static void in_convolutions(timed *t)
 
 /* -------------------------------------------------------------- whole runs */
 
-/* Of second order, to below the discretization error. */
+/* Solves at second order to below the discretization error. */
 static void largest_steady(void)
 {
     double seconds[SETS];
@@ -191,8 +192,8 @@ static void reference_dent(void)
 
 /* ----------------------------------------------------------------- growth */
 
-/* Quiet steps, of one cycle each whatever is left: how often a step needs
- * more depends on what happens, not on n alone. */
+/* Number of quiet steps, with one cycle each at any residual. The number of
+ * cycles of ordinary steps does not depend on n alone. */
 enum { SOME_STEPS = 8 };
 
 static void some_steps(void *sim)
@@ -218,7 +219,7 @@ static double step_seconds(int level)
     return work.seconds / SOME_STEPS;
 }
 
-/* Factor a doubling between two levels. */
+/* Returns the factor per doubling of n between two levels. */
 static double factor(const timed *t, const double *seconds, int from, int to)
 {
     return pow(seconds[to] / seconds[from], 1 / log2(t->n[to] / t->n[from]));
@@ -232,18 +233,19 @@ static void growth_row(const timed *t, const char *what, const double *seconds)
         char text[64];
         double measured[SETS] = {factor(t, seconds, ends[part], ends[part + 1]),
                                  NAN, NAN};
-        snprintf(text, sizeof text, "%s, a doubling, %d-%d", what,
+        snprintf(text, sizeof text, "%s per doubling, %d-%d", what,
                  FIRST + 2 * ends[part], FIRST + 2 * ends[part + 1]);
         row(text, FIRST + 2 * ends[part + 1], goals[part], measured);
     }
 }
 
-/* By level: microseconds of everything, with the best instruction set. */
+/* Prints microseconds of all parts by level, with the fastest instruction set.
+ */
 static void by_level(const timed *t, const double *fmg, const double *step)
 {
     int set = best_set();
-    printf("\n%s by level; times in us; growth a doubling of n since the level "
-           "above; FMG's\nalgebraic error, as it estimates it itself, over the "
+    printf("\n%s by level; times in us; growth per doubling of n since the "
+           "previous level;\nestimated algebraic error of FMG relative to the "
            "discretization error\n"
            "%5s %9s %9s %9s %9s %10s %6s %8s %10s %6s\n",
            ovr_kernels_choose(NULL)->name, "level", "n", "FFT", "MLMI",

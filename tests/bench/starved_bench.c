@@ -17,12 +17,12 @@ enum { KINDS = 3, STEPS = 200, ROUNDS = 3, LEVEL = 8 };
 static const struct kind {
     const char *name;
     ovr_cavitation cavitation;
-    double share; /* of the flooded flow; 0: flooded */
+    double share; /* supply ratio; 0: flooded */
 } kinds[KINDS] = {{"reynolds", OVR_CAVITATION_REYNOLDS, 0},
                   {"conserving", OVR_CAVITATION_CONSERVING, 0},
                   {"starved", OVR_CAVITATION_CONSERVING, 0.5}};
 
-/* Of M = 20, L = 10 at level 8, within a per cent. */
+/* Flooded flow rate for M = 20, L = 10 on level 8, within 1 %. */
 static const double FLOODED = 0.102;
 
 static double arriving(void *data, double T)
@@ -57,7 +57,7 @@ static void start(void *data)
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
 }
 
-/* From a steady state to where the dent is in the contact. */
+/* Marches from a steady state until the dent is in the contact. */
 static void steps(void *data)
 {
     ovr_simulation *sim = data;
@@ -118,8 +118,8 @@ static void compare(const char *set)
 int main(int argc, char *argv[])
 {
     bench_open(argc, argv);
-    printf("conserved oil, level 8; medians of CPU time; goals 1.25 a cycle, "
-           "1.15 a step\n%-7s %-11s %9s %7s %9s %7s "
+    printf("mass-conserving cavitation, level 8; medians of CPU time; goals "
+           "1.25 per cycle, 1.15 per step\n%-7s %-11s %9s %7s %9s %7s "
            "%7s\n",
            "kernels", "oil", "cycle, us", "ratio", "step, us", "ratio",
            "cycles");

@@ -46,7 +46,8 @@ static solution solution_of(contact c, int order, int level, int rounds)
     return s;
 }
 
-/* The time of the coarsest level with no more error of H_cen than this. */
+/* Prints all levels. Returns the time of the coarsest level whose error of
+ * H_cen is not above `target`. */
 static double print_order(contact c, const solution *truth, int order,
                           double target)
 {
@@ -78,7 +79,7 @@ int main(int argc, char *argv[])
 {
     const double target = 1e-4;
     bench_open(argc, argv);
-    printf("steady solutions: errors beside level %d, ms\n", TRUTH);
+    printf("steady solutions: errors relative to level %d, ms\n", TRUTH);
     printf("    M   L order level     H_cen    H_min        ms\n");
     bench_list("steady");
     for (size_t k = 0; k < sizeof contacts / sizeof *contacts; k++) {

@@ -17,7 +17,7 @@ typedef struct stage {
     double *values;
     fftw_complex *spectrum;
     fftw_plan forward, back;
-    double *P, *Q; /* Q NULL: no traction */
+    double *P, *Q; /* Q = NULL: no traction */
     ovr_stress *stress;
     ovr_material_history *history;
     ovr_moment moment;
@@ -38,7 +38,8 @@ static void solve(void *data)
     ovr_stress_solve(s->stress, s->P, s->Q, 0.3, OVR_STRESS_ALL_LEVELS);
 }
 
-/* The material window lies under the contact all the time: the dearest. */
+/* Computes the stresses of a step. The material window is always below the
+ * contact, which is the largest cost. */
 static void step(void *data)
 {
     stage *s = data;

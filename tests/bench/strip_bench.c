@@ -48,8 +48,8 @@ static void measure(size_t n, size_t lines, const char *set)
     ovr_strip_level *finest = &s->strip.level[s->strip.finest];
     last = ovr_strip_defect_of(&s->strip, finest).imbalance;
     double factor = pow(last / first.imbalance, 1. / CYCLES);
-    printf("%6s %5zu x %4zu  full %8.4f s  cycle %5.0f ns a node, factor "
-           "%.2f  %4.0f bytes a node\n",
+    printf("%6s %5zu x %4zu  full %8.4f s  cycle %5.0f ns per node, factor "
+           "%.2f  %4.0f bytes per node\n",
            set, n, lines, full, 1e9 * cycle / nodes, factor,
            (double)s->arena.bytes / nodes);
     bench_row();

@@ -35,7 +35,7 @@ static double now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* Of all processes that have ended. */
+/* Returns the CPU time of all processes that have ended. */
 static double processor_time(void)
 {
     struct rusage r;
@@ -57,7 +57,7 @@ static void write_text(const char *name, const char *text)
         die(name);
 }
 
-/* Each case must have a summary to be finished. */
+/* Checks that each case is finished, i.e. has a summary. */
 static void report(void *data, const ovr_run *run, const ovr_error *err,
                    FILE *summary)
 {
@@ -88,7 +88,7 @@ static double sweep_once(int workers)
     return now() - began;
 }
 
-static double reckon_once(int processes)
+static double compute_once(int processes)
 {
     double began = now();
     for (int k = 0; k < processes; k++)
@@ -103,7 +103,8 @@ static double reckon_once(int processes)
     return now() - began;
 }
 
-/* The least of some turns, one and two taking them in turn. */
+/* Measures the minimum of several turns, with one and two workers in
+ * alternation. */
 static void measure(double (*once)(int), double wall[2], double all[2])
 {
     for (int turn = 0; turn < TURNS; turn++)
@@ -115,7 +116,7 @@ static void measure(double (*once)(int), double wall[2], double all[2])
         }
 }
 
-static void tell(const char *name, double (*once)(int))
+static void measure_and_print(const char *name, double (*once)(int))
 {
     double wall[2] = {INFINITY, INFINITY}, all[2] = {INFINITY, INFINITY};
     measure(once, wall, all);
@@ -144,8 +145,8 @@ int main(int argc, char *argv[])
            "%-24s %8s %8s %10s %12s %8s\n",
            CASES, load[0], "workers", "1", "2", "faster", "processor 1", "2");
     bench_list("sweep");
-    tell("study", sweep_once);
-    tell("reckoning alone", reckon_once);
+    measure_and_print("study", sweep_once);
+    measure_and_print("computing only", compute_once);
     bench_end();
     bench_number("load", load[0]);
     bench_close();

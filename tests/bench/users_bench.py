@@ -1,19 +1,21 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Accuracy per CPU second of thirteen cases as users have them.
+"""Measures accuracy and CPU time of thirteen typical cases of users.
 
 usage: users_bench.py [FOLDER] [CASE...]
 
-Each is run on level after level, in steps as by default and of one mesh, all
-else by default, and compared with a level two above the last (one of a cam,
-whose turn is long) in steps of a mesh: errors of the central film, the smallest
-film, the coefficient of sliding friction and the rise of temperature, in runs
-their root mean square over time relative to the mean; CPU seconds are those of
-the whole process, start and a file of the history included, the least of three.
-The default's point is marked *; next to it stand its CPU seconds with the
-default result file and what both films and the friction right to
-1e-3 cost at least, by a line in logarithms between two levels, and how many
-times that the default costs.  Writes users.json and users.md.
+Each case is run on several levels, with default steps and with steps of D. The
+reference is a level that is finer by two (expensive cases: by one), with steps
+of D. Errors are those of the central and minimum film thickness, the
+coefficient of sliding friction and the maximum temperature rise. In transient
+runs they are root mean squares over time relative to the mean. The CPU time is
+that of the whole process with a file of the history, the minimum of three runs.
+
+The point of the default settings is marked *. Its row also contains the CPU
+time with the default result file, the lowest CPU time for an error of 1e-3 of
+both film thicknesses and the friction (interpolated in logarithms between two
+levels), and the CPU time of the default relative to that time. Results are
+written to users.json and users.md.
 """
 import bisect
 import csv
@@ -27,8 +29,8 @@ import sys
 import tempfile
 
 OVERROLL = os.path.abspath(os.environ.get("OVERROLL", "build/overroll"))
-ASKED = 1e-3
-TOLD = ("H_cen", "H_min", "mu")  # what is asked to be right
+TARGET = 1e-3
+TARGET_OF = ("H_cen", "H_min", "mu")  # quantities that must reach the target
 
 STEEL = """[contact]
 hertz_pressure = 1 GPa
@@ -111,8 +113,8 @@ start = 1
 duration = 3
 """
 
-# The truth takes most of all time.
-CASES = {  # text, levels, the truth above the last of them
+# The references need most of the computing time.
+CASES = {  # text, levels, number of levels from the last to the reference
     "smooth, steady": (STEEL.format(slip=0.2), range(5, 11), 2),
     "dent, rolling": (STEEL.format(slip=0) + DENT + "[time]\nend = 5\n",
                       range(5, 9), 2),
@@ -131,7 +133,7 @@ CASES = {  # text, levels, the truth above the last of them
         "[supply]\nmodel = film\nthickness_1 = 0.15 um\n"
         "thickness_2 = 0.15 um\n[time]\nend = 5\n", range(5, 9), 2),
     "gear": (GEAR + OIL, range(5, 9), 1),
-    # A turn on level 10 takes a minute or two.
+    # A run on level 10 takes one or two minutes.
     "cam": (CAM + OIL, range(7, 10), 1),
     "bearing": (BEARING + OIL, range(5, 9), 1),
     "coated, dent": (
@@ -146,7 +148,7 @@ CASES = {  # text, levels, the truth above the last of them
         "friction = 0.12\n", range(5, 9), 2),
 }
 
-# Columns of the history; of a steady contact keys of its summary.
+# Columns of the history; keys of the summary of a steady contact.
 WHAT = {"H_cen": ("central_film_thickness", "H_cen"),
         "H_min": ("min_film_thickness", "H_min_located"),
         "mu": ("sliding_friction_coefficient", "mu_slide"),
@@ -171,7 +173,7 @@ def moves(text):
 
 
 def in_meshes(text):
-    """The same in steps of a mesh; None where it has no other."""
+    """Returns the case with steps of D; None: its steps cannot be chosen."""
     if not moves(text) or "step = adaptive" in text:
         return None
     if "[time]\n" in text:
@@ -187,20 +189,20 @@ def default_level(text, folder):
 
 
 def solve(text, level, folder):
-    """CPU seconds, and times and values of what is compared."""
+    """Returns CPU seconds, times, and the compared quantities."""
     case, out = os.path.join(folder, "a.ini"), os.path.join(folder, "a.h5")
     with open(case, "w", encoding="utf-8") as file:
         file.write(text + f"[domain]\nlevel = {level}\n"
                           "[output]\nevery = 1000000000\nfields = pressure\n")
     begun = seconds()
     timed = moves(text)
-    said = json.loads(overroll("run", case, "-o", out, "--force", "-q",
-                               "--json") if timed else
-                      overroll("steady", case, "--json"))
-    took = seconds() - begun
+    summary = json.loads(overroll("run", case, "-o", out, "--force", "-q",
+                                  "--json") if timed else
+                         overroll("steady", case, "--json"))
+    cost = seconds() - begun
     if not timed:
-        return took, [0.0], {what: [said[key]] for what, (_, key) in
-                             WHAT.items() if said.get(key) is not None}
+        return cost, [0.0], {what: [summary[key]] for what, (_, key) in
+                             WHAT.items() if summary.get(key) is not None}
     rows = csv.reader(io.StringIO(overroll("export", out)))
     names = [name.split(" [")[0] for name in next(rows)]
     columns = dict(zip(names, zip(*[[float(v or "nan") for v in row]
@@ -209,20 +211,20 @@ def solve(text, level, folder):
               if name in columns and all(map(math.isfinite, columns[name]))}
     if "T" in series:
         series["T"] = [T - 333.15 for T in series["T"]]
-    return took, columns["time"], series
+    return cost, columns["time"], series
 
 
 def seconds_with_file(text, folder):
-    """CPU seconds of the case as it is, with its default result file."""
+    """Returns CPU seconds of the case with its default result file."""
     case, out = os.path.join(folder, "a.ini"), os.path.join(folder, "a.h5")
     with open(case, "w", encoding="utf-8") as file:
         file.write(text)
-    took = []
+    costs = []
     for _ in range(3):
         begun = seconds()
         overroll("run", case, "-o", out, "--force", "-q")
-        took.append(seconds() - begun)
-    return min(took)
+        costs.append(seconds() - begun)
+    return min(costs)
 
 
 def at(T, series, t):
@@ -232,7 +234,7 @@ def at(T, series, t):
 
 
 def error(T, series, T_true, true):
-    """Relative, the root mean square over the times of the coarser one."""
+    """Returns the relative root mean square error over the times T."""
     mean = sum(map(abs, true)) / len(true)
     if len(T) == 1:
         return abs(series[0] - true[0]) / mean
@@ -242,21 +244,22 @@ def error(T, series, T_true, true):
 
 
 def worst(point):
-    return max(point[what] for what in TOLD if what in point)
+    return max(point[what] for what in TARGET_OF if what in point)
 
 
 def least_cost(points):
-    """Of ASKED, between two levels of a step; None where none is so good."""
+    """Interpolates the CPU time for an error of TARGET between two levels.
+    None: no point has such an error."""
     costs = []
     for step in {p["step"] for p in points}:
         of = [p for p in points if p["step"] == step]
         for before, now in zip([None] + of[:-1], of):
             off = worst(now)
-            if off > ASKED:
+            if off > TARGET:
                 continue
             cost = now["seconds"]
             if before and worst(before) > off:
-                share = math.log(ASKED / worst(before)) / \
+                share = math.log(TARGET / worst(before)) / \
                     math.log(off / worst(before))
                 cost = before["seconds"] * (cost / before["seconds"])**share
             costs.append(cost)
@@ -266,9 +269,9 @@ def least_cost(points):
 
 def point_of(text, step, level, truth, folder):
     T_true, true = truth
-    took, T, series = min((solve(text, level, folder) for _ in range(3)),
+    cost, T, series = min((solve(text, level, folder) for _ in range(3)),
                           key=lambda solved: solved[0])
-    return {"level": level, "step": step, "seconds": took, **{
+    return {"level": level, "step": step, "seconds": cost, **{
         what: error(T, series[what], T_true, true[what])
         for what in true if what in series and any(true[what])}}
 
@@ -284,7 +287,7 @@ def measure(name):
             for level in levels if case else ():
                 try:
                     points.append(point_of(case, step, level, truth, folder))
-                except SystemExit as why:  # a film too thin for the grid, say
+                except SystemExit as why:  # e.g. film too thin for the grid
                     print(f"    level {level}: {why}", flush=True)
                     continue
                 print("   ", points[-1], flush=True)
@@ -305,16 +308,16 @@ def table(results):
         least = r["seconds_for_1e-3"]
         for k, p in enumerate(r["points"]):
             chosen = p["level"] == r["default"] and p["step"] == "default"
-            said = " |  | "
+            times = " |  | "
             if chosen:
-                said = f"{r['seconds_with_file']:.2g} s | " + (
+                times = f"{r['seconds_with_file']:.2g} s | " + (
                     f"{least:.2g} s | {p['seconds'] / least:.1f}"
                     if least else "finer | ")
             lines.append(
                 f"| {'' if k else r['case']} | {p['level']}"
                 f"{'*' if chosen else ''} | {p['step']} | "
                 f"{p['seconds']:.2g} | " +
-                " | ".join(cell(p, what) for what in WHAT) + f" | {said} |")
+                " | ".join(cell(p, what) for what in WHAT) + f" | {times} |")
     return "\n".join(lines) + "\n"
 
 

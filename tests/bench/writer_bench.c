@@ -22,14 +22,14 @@
 
 enum { LEVEL = 8, TURNS = 5 };
 
-static const double often = 0.05; /* s between checkpoints */
+static const double interval = 0.05; /* between checkpoints, s */
 
 typedef struct variant {
     const char *name;
     bool write, single, no_thread;
     int deflate;
-    bool checkpoints;      /* so often */
-    double wall, own, all; /* s, the smallest so far */
+    bool checkpoints;
+    double wall, own, all; /* minimum so far, s */
     long bytes;
 } variant;
 
@@ -39,7 +39,7 @@ static variant variants[] = {
     {"f32", true, true, false, 1, false, 0, 0, 0, 0},
     {"f64 uncompressed", true, false, false, 0, false, 0, 0, 0, 0},
     {"f64 without thread", true, false, true, 1, false, 0, 0, 0, 0},
-    {"f64, 20 checkpoints a s", true, false, false, 1, true, 0, 0, 0, 0},
+    {"f64, 20 checkpoints/s", true, false, false, 1, true, 0, 0, 0, 0},
 };
 
 static double seconds(clockid_t clock)
@@ -101,7 +101,7 @@ static ovr_writer *make_writer(const variant *v, const ovr_contact *contact,
     o.deflate = v->deflate;
     o.no_thread = v->no_thread;
     if (v->checkpoints)
-        o.checkpoint_interval = often;
+        o.checkpoint_interval = interval;
     o.every_steps = ovr_write_every(&o, 6, state->D, state->n);
     writer = ovr_writer_create(&o, contact, state->n, state->X, NULL, &err);
     if (!writer)
@@ -154,10 +154,10 @@ static void measure(variant *v, const char *path)
     ovr_simulation_free(sim);
 }
 
-/* Against the same run with none. */
-static void tell_price(const variant *with, const variant *without)
+/* Prints the cost of checkpoints relative to the same run without any. */
+static void print_cost(const variant *with, const variant *without)
 {
-    double each = (with->wall - without->wall) / (with->wall / often);
+    double each = (with->wall - without->wall) / (with->wall / interval);
     printf("a checkpoint takes %.1f ms: %.2f %% of a run with one every 10 s\n",
            1e3 * each, 100 * each / 10);
 }
@@ -183,6 +183,6 @@ int main(void)
                100 * (v->own / base->own - 1), v->all,
                100 * (v->all / base->all - 1), (double)v->bytes / 1e6);
     }
-    tell_price(&variants[count - 1], &variants[1]);
+    print_cost(&variants[count - 1], &variants[1]);
     return 0;
 }
