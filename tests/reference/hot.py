@@ -88,7 +88,7 @@ class Physical:
         self.Kf = k * R**2 / (rho0 * c * um * self.b**3)
         self.N = [k * R * self.b**-1.5 / math.sqrt(math.pi * k1 * c1 * r1 * um)
                   for k1, c1, r1 in given["body"]]
-        # of each body's layer: its effusivity over the body's, d^2 rho c/k
+        # layer of each body: effusivity relative to the body, d^2 rho c/k
         self.coat = [None, None]
         for body, (d, k1, c1, r1) in given.get("coat", {}).items():
             below = given["body"][body - 1]
@@ -206,7 +206,7 @@ class Hot(Model):
         return abs(self.D * t[held].sum()) / \
             (math.pi / 2 * self.load.at(T)) * self.p.kappa
 
-    # --------------------------------------------------------- heat
+    # ---------------------------------------------------------------- heat
 
     def sheet(self, P, q, Cu, V):
         """Returns height, velocity and heating of the lubricant in every
@@ -222,7 +222,7 @@ class Hot(Model):
         r = np.exp(self.log_eta(P, self.Tm) - self.log_eta(P, self.T))
         u_z = self.Sigma0 * r * np.sinh(x) / Y
         u = Cu + V / 2 + self.Iz @ u_z
-        dry = P <= 0            # where the oil does not fill the gap it rides
+        dry = P <= 0            # cavitated: the lubricant moves with the walls
         u[:, dry] = Cu - V / 2 * self.s[:, None]
         heating = np.where(dry, 0, self.Sigma0 * x * u_z)
         return H, P_X, u, heating
@@ -300,7 +300,7 @@ class Hot(Model):
             lead, back = np.ones(17), T[:, i - 1]
             if i > 1:
                 lead, back = 1.5 * lead, 2 * back - 0.5 * T[:, i - 2]
-            if i + 1 < self.n:           # what flows back is as it was last
+            if i + 1 < self.n:           # backflow has the last temperatures
                 lead = np.where(u[:, i] < 0, 1, lead)
                 back = np.where(u[:, i] < 0, self.T[:, i + 1], back)
             A1 = (A[i] + np.diag(lead * speed))[None]
@@ -334,7 +334,7 @@ class Hot(Model):
         new[:, 0] = 0
         return new, self.fluxes(new, H)
 
-    # ------------------------------------------------------- in turn
+    # ----------------------------------------------- alternating solution
 
     def settle(self, u, T, past, step, heat):
         """Iterates film and temperatures until both converge."""
@@ -343,7 +343,7 @@ class Hot(Model):
             state = self.state(u, T)
             new, flux = heat(state)
             apart = np.abs(new - self.T).max()
-            # the last node may be wet in one turn and dry in the next
+            # the last pressurized node may alternate between iterations
             if apart < (1e-3 if turn < 20 else 5e-3) * max(new.max(), 1):
                 return u, state, new, flux
             self.at_temperature((self.T + new) / 2, state[0])
@@ -353,7 +353,7 @@ class Hot(Model):
         """Yields P, H, temperatures (17, n) and friction at each time."""
         T = times[0]
         u = guesses(0)
-        for _ in range(20):               # how hot such a film would be
+        for _ in range(20):               # temperatures of the guessed film
             P, _, _, q, _ = self.state(u, T)
             self.at_temperature((self.T + self.steady_heat(P, q)[0]) / 2, P)
         u, state, temperature, flux = self.settle(

@@ -38,12 +38,12 @@ from model import Ramp
 
 OVERROLL = os.environ.get("OVERROLL", "build/overroll")
 INLET, OUTLET = -4.0, 1.5
-E_STEEL = 206e9 / (1 - 0.3**2)     # E' of two alike
+E_STEEL = 206e9 / (1 - 0.3**2)     # E' of two steel bodies
 STEEL = (46.0, 460.0, 7850.0)
 OIL = (0.14, 2000.0, 870.0)
 
-# P, H, friction, temperatures: of first order in D = 0.025 b; random contacts
-# have shorter inlets and steeper dents
+# Maximum differences of P, H, friction and temperatures, of first order in D =
+# 0.025 b. Random contacts have shorter inlets and steeper dents.
 BAND = np.array([2e-2, 5e-3, 5e-3, 2.5e-2])
 
 
@@ -198,7 +198,7 @@ def drawn(seed):
     return case
 
 
-def told(name, case, band):
+def report(name, case, band):
     """Prints the differences and returns true if they are within the band."""
     begun = time.process_time()
     try:
@@ -221,7 +221,7 @@ def main(arguments):
         cases = {f"seed {s}": drawn(s) for s in range(seed, seed + count)}
         band = 2 * BAND
     wrong = [name for name, case in cases.items()
-             if not told(name, case, band)]
+             if not report(name, case, band)]
     if wrong:
         raise SystemExit(f"{len(wrong)} of {len(cases)} differ")
 

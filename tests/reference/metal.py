@@ -84,7 +84,7 @@ class Block:
                            [lam, lam + 2 * self.G, 0], [0, 0, self.G]])
         stress, sinks = self.waves()
         self.stress = np.fft.irfft(stress, cells, axis=0)
-        self.sinks = sinks                         # of waves
+        self.sinks = sinks                         # for each wave
 
     def element(self, height):
         """Returns stiffness matrix and mean strain of an element from (u, w)
@@ -109,7 +109,7 @@ class Block:
         some, n = self.strained, len(self.z) - 1
         m = np.arange(self.cells // 2 + 1)
         turn = np.exp(2j * np.pi * m / self.cells)
-        to = np.zeros((len(m), 8, 4), complex)     # nodes from one column's
+        to = np.zeros((len(m), 8, 4), complex)     # nodes from one column
         for c in range(2):
             to[:, c, c] = 1
             to[:, 2 + c, c] = turn
@@ -136,9 +136,9 @@ class Block:
 
 
 def strip(x, z):
-    """Stresses of a unit pressure on the half line to the left of x = 0, but
-    for a constant; of a strip: that of its right end less that of its left.
-    x, z and xz."""
+    """Returns the stresses x, z and xz of a unit pressure on the half line x <
+    0, except for a constant. The stresses of a strip are the difference between
+    its right and its left end."""
     twice = 2 * np.arctan2(z, x)
     square = x * x + z * z
     sine, cosine = 2 * x * z / square, (x - z) * (x + z) / square
@@ -147,10 +147,11 @@ def strip(x, z):
 
 
 class Metal:
-    """Elements about h wide that move with a surface: where a bump is, within
-    `half_width` of the material's origin, or, where all that rolls flows, in
-    the whole of overroll's window, which is a period there: `window` is its
-    left end, its right end, and where nothing sinks."""
+    """Elements of a width of about h that move with a surface. If a bump
+    deforms plastically, they are within `half_width` of the origin of the
+    material. If the smooth contact does, they fill the window of overroll,
+    which is a period. `window`: left end, right end, and a position without
+    plastic displacement."""
 
     def __init__(self, nu, law, h, first, growth, depth, half_width=None,
                  window=None, softness=0.25):
@@ -162,7 +163,7 @@ class Metal:
             self.left, self.far = window[0], window[2]
         else:
             n = 2 * round(half_width / h)
-            self.left = -(n / 2 + 0.37) * h        # no node of the film
+            self.left = -(n / 2 + 0.37) * h        # not at nodes of the film
             self.far = self.left + cells * h / 2
         self.bounded = bool(window)
         self.block = Block(nu, h, cells, z, strained)
@@ -174,7 +175,7 @@ class Metal:
         self.e = np.zeros((strained, n, 3))        # x, z, xz
         self.all = np.zeros((strained, n))
 
-    # ------------------------------------------------------------- stresses
+    # ------------------------------------------------------------ stresses
 
     def elastic(self, P, X, at):
         """Returns elastic stresses due to pressures that are uniform around
@@ -182,7 +183,7 @@ class Metal:
         D = X[1] - X[0]
         g = 0.5 / math.sqrt(3)
         out = np.zeros((len(self.depth), self.columns, 3))
-        jump = np.diff(np.concatenate([[0], P, [0]]))   # at the strips' edges
+        jump = np.diff(np.concatenate([[0], P, [0]]))   # at edges of strips
         edges = np.concatenate([X - D / 2, [X[-1] + D / 2]])
         edges, jump = edges[jump != 0], jump[jump != 0]
         for s in (-g, g):
@@ -190,7 +191,7 @@ class Metal:
             for t in (-g, g):
                 z = (self.depth + t * self.thick)[:, None, None]
                 for c, part in enumerate(strip(x, z)):
-                    # strips' right ends less their left ones
+                    # right ends minus left ends of the strips
                     out[..., c] -= part @ jump / 4
         return out
 

@@ -44,8 +44,8 @@ from model import Layer, Model, Ramp
 OVERROLL = os.environ.get("OVERROLL", "build/overroll")
 E_BODY, NU = 206.0, 0.3
 WINDOW = 1.6
-COARSE, FINE = 1.4, 0.7    # elements over the mesh of the film
-NEAR = 0.8                 # share of yield below which all is elastic
+COARSE, FINE = 1.4, 0.7    # element size relative to the mesh size of the film
+NEAR = 0.8                 # all is elastic below this fraction of yield
 
 
 class Yielding(Model):
@@ -54,7 +54,7 @@ class Yielding(Model):
     def __init__(self, case, metals):
         super().__init__(case)
         self.metals = metals
-        self.found = None    # T and the gap then, as the metals are now
+        self.found = None    # T, and gap at T with the present deformation
 
     def at(self, surface, T):
         """Returns X of the material's origin, the centre of its first
@@ -99,7 +99,7 @@ def law_of(y, unit):
     strain p_h/E*."""
     if y["law"] != "swift":
         return Law(y["law"], y["Y"], y["modulus"] * unit)
-    # of Y = B (C + microstrain)^n at no strain
+    # Y = B (C + microstrain)^n at zero strain
     C, n = 20e-6 / unit, 0.121
     return Law("swift", y["Y"], swift=(y["Y"] / C**n, C, n))
 
@@ -213,7 +213,7 @@ def compared(case):
                   over_film(H - H2, H2)[start].max())
     found = {"P": (np.abs(P - P2).max(), np.abs(P1 - P2).max()),
              "H": (over_film(H - H2, H2).max(), over_film(H1 - H2, H2).max())}
-    # what the uppermost layers have is resolved by neither
+    # neither model resolves the uppermost layers
     shallow = 2 * fine[next(iter(fine))].h / FINE
     for surface, metal in fine.items():
         theirs, other = out[surface], coarse[surface]
@@ -238,7 +238,7 @@ BASE = dict(M=20.0, L=10.0, level=5, step=0.05, end=1.6, tolerance=3e-10,
             features=[dent(1, -0.15, 0.8, -1.4)])
 LINEAR = dict(surface=1, law="linear", Y=0.6, modulus=5.0, depth=0.55,
               half_width=0.75)
-# Yields from 0.56 p_h on, wherever it has rolled.
+# The smooth contact deforms plastically if the yield stress is below 0.56 p_h.
 SMOOTH = dict(law="linear", Y=0.52, modulus=5.0, depth=1.4)
 FIXED = {
     "linear hardening, eyring, slip, load": dict(
@@ -275,7 +275,7 @@ def drawn(seed):
     width = r.uniform(0.7, 1.0)
     case = dict(BASE, M=math.exp(r.uniform(math.log(15), math.log(50))),
                 L=r.uniform(8, 12), slide=r.uniform(-0.4, 0.4))
-    # what presses a bump flat is 2 pi/width of its height
+    # the pressure that flattens a bump is 2 pi/width times its height
     case["features"] = [dent(surface, -r.uniform(1.0, 1.3) * width / 6, width,
                              -1.4)]
     case["yields"] = dict(LINEAR, surface=surface, Y=r.uniform(0.6, 0.7),
@@ -300,7 +300,7 @@ def drawn(seed):
     return case
 
 
-def told(name, case):
+def report(name, case):
     """Prints the differences and returns true if they are within the band."""
     begun = time.process_time()
     try:
@@ -325,7 +325,7 @@ def main(arguments):
     else:
         every = int(arguments[1]) if len(arguments) > 1 else 1
         mixes = dict(list(FIXED.items())[every - 1::every])
-    wrong = [name for name, case in mixes.items() if not told(name, case)]
+    wrong = [name for name, case in mixes.items() if not report(name, case)]
     if wrong:
         raise SystemExit(f"{len(wrong)} of {len(mixes)} differ")
 

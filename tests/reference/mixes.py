@@ -133,7 +133,7 @@ def apart(case):
             lambda k: unknowns(model, out, k), out["time"])):
         P, bears, H = state[:3]
         worst_P = max(worst_P, np.abs(out["pressure"][k] - P).max())
-        # behind the outlet's constriction H is a large number: relative
+        # H is large downstream of the constriction: relative error
         worst_H = max(worst_H, (np.abs(out["film_thickness"][k] - H) /
                                 np.maximum(H, H[model.n // 2])).max())
         if os.environ.get("MIXES"):
@@ -241,7 +241,7 @@ def band(case):
     return 1e-7 if case.get("coats") else 1e-9
 
 
-def told(name, case):
+def report(name, case):
     """Prints the differences and returns true if they are within the band."""
     begun = time.process_time()
     try:
@@ -263,7 +263,7 @@ def main(arguments):
     else:
         every = int(arguments[1]) if len(arguments) > 1 else 1
         mixes = dict(list(FIXED.items())[every - 1::every])
-    wrong = [name for name, case in mixes.items() if not told(name, case)]
+    wrong = [name for name, case in mixes.items() if not report(name, case)]
     if wrong:
         raise SystemExit(f"{len(wrong)} of {len(mixes)} differ")
 

@@ -23,7 +23,7 @@ import math
 import numpy as np
 
 POINTS, WEIGHTS = np.polynomial.legendre.leggauss(48)
-ABOVE, ABOVE_WEIGHTS = POINTS[24:], WEIGHTS[24:]    # of what is even
+ABOVE, ABOVE_WEIGHTS = POINTS[24:], WEIGHTS[24:]    # for even functions
 
 
 def smoothstep(y):
@@ -136,7 +136,7 @@ class Layer:
 
 
 def logarithms(d):
-    """Of |d|^n meshes' boxes: (d + 1/2)(ln|d + 1/2| - 1) less the other."""
+    """Returns int ln|x| over the interval d - 1/2 to d + 1/2."""
     def half(y):
         return y * (np.log(np.abs(y)) - 1)
     return half(d + 0.5) - half(d - 0.5)
@@ -149,7 +149,7 @@ def kernel(n, D, layers=None):
     d = np.arange(n, dtype=float)
     K = D * (logarithms(d) + math.log(D))
     for share, layer in layers or []:
-        # A - top - (1 - top) exp(-k a), over k: smooth, and gone by k d = 40
+        # A - top - (1 - top) exp(-k a) is smooth and vanishes at k d = 40
         a, top = layer.d, layer.top
         edges = np.concatenate([np.linspace(0, 4, 4001),
                                 np.linspace(4, 42, 6001)[1:]]) / layer.d
@@ -195,7 +195,7 @@ class Model:
         self.sliding = case.get("sliding")
         self.radius = case.get("radius", one)
 
-    # ------------------------------------------------------ what is given
+    # -------------------------------------------------------------- inputs
 
     def V(self, T):
         if self.sliding:
@@ -270,7 +270,7 @@ class Model:
             thin = (1 + x * x)**power
             slope = thin * (1 + 2 * power * x * x / (1 + x * x))
             return ((x * thin) @ half - slid) / (slope @ half)
-        # convex: from above, downward; then what complex steps add
+        # convex: converges from above; then the contribution of complex steps
         a = np.minimum(slid.real, slid.real**self.carreau[1]) + np.abs(g.real)
         for _ in range(76):
             change = step(a, g.real, slid.real)
@@ -406,7 +406,7 @@ class Model:
             v = q.astype(complex)
             v[colour::5] += 1j * h
             d = -self.carried(v, dry, T, past, step).imag / h
-            j = i - 2 + (colour - i + 2) % 5         # of this colour, near i
+            j = i - 2 + (colour - i + 2) % 5         # node of this colour
             there = (j >= 0) & (j < n)
             by["q"][(i - 1)[there], j[there]] = d[there]
         rho1 = self.rho(P + 1j * h).imag / h
@@ -414,13 +414,13 @@ class Model:
         wet = u[:m] > 0
         own = np.ones(n)
         if self.closed:
-            own[0] = 0                            # q there is given
+            own[0] = 0                            # q is prescribed
 
         by_film = by["H"] + by["q"] * (own * rho)
         K = self.K[:, 1:-1]
 
         def film(dH):
-            """Of five diagonals."""
+            """Multiplies the matrix of five diagonals by dH."""
             out = np.zeros((m, dH.shape[1]))
             for d in range(-2, 3):
                 i = np.arange(max(0, -d - 1), min(m, n - 1 - d))
@@ -480,9 +480,9 @@ class Model:
                                u[m:]])
 
     def march(self, guesses, times):
-        """P, what touches, H, q and what lacks at the times, of which the
-        first is the steady start; guesses: unknowns for each time, which are
-        used for the first, and where the model's own past leads nowhere."""
+        """Yields P, asperity pressure, H, q and missing lubricant at the times,
+        of which the first is the steady start. guesses: unknowns for each time,
+        used for the first and if extrapolation does not converge."""
         u = self.solve(guesses(0), times[0])
         state = self.state(u, times[0])
         yield state

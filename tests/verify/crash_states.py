@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a disk may hold after the machine died.
+"""Creates folders as they may be on disk after a crash of the machine.
 
-    crash_states.py LOG BEFORE OUT COUNT SEED
+usage: crash_states.py LOG BEFORE OUT COUNT SEED
 
-LOG is what recorder.c wrote, BEFORE a folder with what was there (and synced)
-before; COUNT folders OUT/0, OUT/1, ... are made.  For each a moment is drawn,
-evenly over the operations, and a state of the disk that is possible then:
+LOG is the output of recorder.c, and BEFORE a folder with the (synced) files
+before the run. COUNT folders OUT/0, OUT/1, ... are written. Each is a random
+possible state at a random operation:
 
-- a page (4096 bytes) of a file is as it was when the file was synced last, or
-  as any write since left it, each page for itself; so is the file's length;
-  what was never written of a page is zero;
-- names made, changed and removed since the folder was synced last are done or
-  not, each for itself, or (in half the states) all up to one of them.
+- Each page (4096 bytes) of a file has the contents of the last sync or of any
+  later write. The same applies to the length of the file. Unwritten parts of a
+  page are zero.
+- Each change of a name since the last sync of the folder is done or not. In
+  half of the states, all changes up to a random one are done.
 
-How likely a page or name is the old one is drawn for each state, from 0 to 1.
+The probability of old pages and names is drawn for each state, from 0 to 1.
 """
 import os
 import random
@@ -32,7 +32,7 @@ class File:
 
     def sync(self):
         self.synced = bytes(self.now)
-        self.pages = {}  # number: what it was since
+        self.pages = {}  # number: contents since the last sync
         self.lengths = []
 
     def note(self, first, last):

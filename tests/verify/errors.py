@@ -2,19 +2,23 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Errors of random cases on the level that the program chooses.
 
-errors.py PROGRAM SEED COUNT [uncommon | default]: each case, common ones, those
-with deep dents, textures and short waves, or those of DEFAULT, next to two
-finer levels, of which the second is solved where the level is 6 or less, or
-where the error is near one of the bounds, in steps of one mesh size.
-errors.py PROGRAM FILE...: the same for case files.
+usage: errors.py PROGRAM SEED COUNT [uncommon | default]
+       errors.py PROGRAM FILE...
 
-Prints the root mean squares over time of the relative errors of H_cen, H_min
-and the sliding force, and the error that `check` expects; besides those of the
-maximum pressure where it is resolved, and of the maximum film temperature
-relative to its largest rise.  Fails where more than one case in ten (at least
-one) exceeds that error, or one in fifty exceeds it four times (of 118 cases one
-did); of the cases of DEFAULT also where H_cen of one has an error above 1e-3,
-or more than one in ten (at least one) H_min or F.
+Random cases are common ones, `uncommon` ones (deep dents, textures and short
+waves), or those of default_case. Each case is compared with finer levels in
+steps of D: with the next level and, if the error is near a bound, the second;
+with the second only if the level is 6 or less.
+
+The following are printed: the root mean squares over time of the relative
+errors of H_cen, H_min and the sliding force; the error that `check` expects;
+the errors of the maximum pressure, if it is resolved, and of the maximum film
+temperature, relative to its maximum rise.
+
+The test fails if more than one case in ten (at least one) exceeds the expected
+error, or more than one in fifty exceeds it four times (of 118 cases one did).
+With `default` it also fails if the error of one H_cen is above 1e-3, or that of
+H_min or the sliding force in more than one case in ten (at least one).
 """
 import bisect
 import csv
@@ -251,11 +255,11 @@ def case(seed, kinds=COMMON):
     return kind, "\n".join(lines) + "\n"
 
 
-def history(program, folder, said, *settings):
+def history(program, folder, estimate, *settings):
     """Returns the columns of a run, or None if it has no solution."""
     out = os.path.join(folder, "out.h5")
     table = os.path.join(folder, "out.csv")
-    if said["transient"]:
+    if estimate["transient"]:
         settings += ("output.every=1000000",)
     options = [x for s in settings for x in ("--set", s)]
     run = subprocess.run([program, "run", os.path.join(folder, "case.ini"),
@@ -310,16 +314,16 @@ def expected(e):
     return max(e[key] for key in EXPECTED if key in e)
 
 
-def beside(program, folder, ours, said, ambient):
+def compare_with_finer(program, folder, ours, estimate, ambient):
     """Returns the errors relative to the first finer level whose own error is
     small enough."""
-    level, e = said["level"], {}
-    grid = ("time.step=grid",) if said["transient"] else ()
+    level, e = estimate["level"], {}
+    grid = ("time.step=grid",) if estimate["transient"] else ()
     for finer in (1, 2) if level > 6 else (2,):
-        fine = ours and history(program, folder, said, *grid,
+        fine = ours and history(program, folder, estimate, *grid,
                                 f"domain.level={level + finer}")
         e = errors(ours, fine, ambient) if fine else e
-        if not e or expected(e) < min(PROMISED, said["expected_error"]) / 2:
+        if not e or expected(e) < min(PROMISED, estimate["expected_error"]) / 2:
             break
     return e
 
@@ -369,21 +373,21 @@ def main():
             if check.returncode:
                 print(f"{k:3} {kind:9} refused:", check.stderr.splitlines()[-1])
                 continue
-            said = json.loads(check.stdout)
+            estimate = json.loads(check.stdout)
             ambient = re.search(r"temperature = (\S+) degC", text)
             ambient = float(ambient[1]) + 273.15 if ambient else 0
-            ours = history(program, folder, said)
-            e = beside(program, folder, ours, said, ambient)
+            ours = history(program, folder, estimate)
+            e = compare_with_finer(program, folder, ours, estimate, ambient)
         if not e:
             print(f"{k:3} {kind:9} no solution", flush=True)
             continue
         all_of.append(e)
-        over = expected(e) / said["expected_error"]
+        over = expected(e) / estimate["expected_error"]
         exceeded += over > 1
         far += over > 4
         missed += expected(e) > PROMISED
-        print(f"{k:3} {kind:9} level {said['level']}, expected "
-              f"{said['expected_error']:.1e},",
+        print(f"{k:3} {kind:9} level {estimate['level']}, expected "
+              f"{estimate['expected_error']:.1e},",
               ", ".join(f"{key} {v:.1e}" for key, v in e.items()),
               f"({over:.2f})", flush=True)
     distribution(all_of)

@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""notebooks.py FOLDER NOTEBOOK...: executes notebooks, each in a folder of its
-own below FOLDER, where its pictures are left to be looked at."""
+"""Executes notebooks and stores their pictures for inspection.
+
+usage: notebooks.py FOLDER NOTEBOOK...
+
+Each notebook has its own folder in FOLDER.
+"""
 import base64
 import sys
 from pathlib import Path

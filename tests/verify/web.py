@@ -62,18 +62,18 @@ def asks(browser, args, files=None, keep=()):
     return browser.run("return window.answer")
 
 
-# How it was computed, balances that are zero but for rounding, places that
-# two nodes of the same value share, and the images of a coating, of which many
-# sets describe the same layer.
+# Numbers that are not compared: residuals and computing times, balances that
+# are zero except for rounding, positions of equal values at two nodes, and the
+# images of a coating, which are not unique.
 HOW = {"seconds", "refinements", "residual", "cycles", "factor", "load_error",
        "load_error_max", "mass_balance", "T_load_error_max",
        "T_load_error_max_s", "energy_defect", "energy_defect_max",
        "T_energy_defect_max", "T_energy_defect_max_s", "algebraic", "Y_min",
        "Y_P_max", "y_max_pressure", "y_min_film", "image_weight", "image_depth"}
-# Stresses are made in single precision.  A worn contact and a strip differ as
-# much between two instruction sets here; a coating's images are fitted, and
-# pass on the last digits of exp.  A length is that of a life: a power of 31/3
-# of what stresses are above a limit; what flows is as sensitive.
+# Stresses have single precision. Worn contacts and strips differ as much for
+# two instruction sets of the native program. The images of a coating are fitted
+# and depend on the last digits of exp. Lives depend on the power 31/3 of
+# stresses above a limit, and plastic deformation is as sensitive.
 SINGLE = 4e-7
 TOLERANCE = {"stress": SINGLE, "indented": SINGLE, "coated": SINGLE,
              "wear": 1e-8, "strip": 1e-6}
@@ -86,11 +86,11 @@ def is_of_life(name):
 
 
 def same(ours, theirs, name, tolerance):
-    """All numbers agree, relative to the larger of both and 1e-3."""
+    """Checks that all numbers agree, relative to the larger one or 1e-3."""
     worst = 0
     for key, a in ours.items():
         b = theirs[key]
-        # (The tension of the interface is zero here but for rounding.)
+        # The tension of the interface is zero except for rounding.
         if key in HOW or isinstance(a, bool) or "interface_tension" in key:
             continue
         if isinstance(a, (int, float)):
@@ -104,7 +104,8 @@ def same(ours, theirs, name, tolerance):
 
 
 def same_file(a, b, name, tolerance):
-    """All numeric arrays in two files agree, relative to their maximum."""
+    """Checks that all numeric arrays of two files agree, relative to their
+    maximum."""
     worst, seen = 0, 0
 
     def visit(path, x):
@@ -118,11 +119,11 @@ def same_file(a, b, name, tolerance):
         assert x.shape == y.shape, (name, path)
         assert np.array_equal(np.isnan(x), np.isnan(y)), (name, path)
         largest = np.nanmax(abs(y)) if not np.all(np.isnan(y)) else 0
-        # What is zero but for rounding is nothing that could agree.
+        # Arrays that are zero except for rounding are not compared.
         if largest < 1e-9:
             return
         off = np.nanmax(abs(x - y)) / largest
-        if path.endswith("_deviation"):  # of nearly equal numbers
+        if path.endswith("_deviation"):  # difference of nearly equal numbers
             off /= 100
         assert off <= (OF_LIFE if life else tolerance), (name, path, off)
         worst, seen = max(worst, 0 if life else off), seen + 1
@@ -599,8 +600,8 @@ def main():
             began = time.time()
             test(browser)
             print(f"{test.__name__}: {time.time() - began:.1f} s", flush=True)
-        # A flag that is withdrawn to make a run stop is missed once by its
-        # worker, which Chromium tells.
+        # Stopping a run revokes the URL of its flag. Chromium reports that the
+        # worker does not find it.
         complaints = [line for line in browser.log()
                       if line["level"] == "SEVERE" and
                       "local resource: blob:" not in line["message"]]

@@ -3,14 +3,18 @@
 
 usage: wide_files.py FOLDER FIRST COUNT [SECONDS]
 
-Each case: check (text, --json, and -v, whose output is a case with the same
-numbers), run (--json or a report), info, export, and a run that is killed in
-the middle and resumed.  A fault is: a signal, a sanitizer's report, another
-exit code than those of overroll(1), no JSON, a number that is not finite in
-what is printed or in the fields of the file, an error that is not one line, and
-a resumed run that differs.  Cases whose estimated time is above SECONDS are
-skipped.  One line per case is printed; at most one in twenty of those that
-take time may take ten times the estimate (not asked of instrumented programs).
+The commands are check (text, --json, and -v, whose output must be a case with
+the same numbers), run (--json or a report), info, export, and resume of a run
+that was killed. Faults are
+
+  - a signal, a report of a sanitizer, or an undocumented exit code
+  - invalid JSON, or an infinite number or NaN in the output or in a field
+  - a failure without an error message
+  - a difference between the resumed and the uninterrupted run
+
+Cases whose estimated time is above SECONDS are skipped. One line per case is
+printed. At most one in twenty of the timed cases may take ten times the
+estimate (not checked for instrumented programs).
 """
 import json
 import os
@@ -27,15 +31,15 @@ import numpy
 OVERROLL = os.environ.get("OVERROLL", "build/overroll")
 INSTRUMENTED = bool(os.environ.get("INSTRUMENTED"))
 SLOWER = 60 if INSTRUMENTED else 1
-# s: runs are stopped after this time (143: the exit code of a stopped one)
+# Time in s after which runs are stopped (their exit code is 143).
 PATIENCE = float(os.environ.get("OVERROLL_PATIENCE", "0")) or None
-START = 0.3  # s: runs shorter than this are not compared
-KILLED = 60 if INSTRUMENTED else 1  # s: only shorter ones are killed
+START = 0.3  # s; the cost of shorter runs is not compared
+KILLED = 60 if INSTRUMENTED else 1  # s; only shorter runs are killed
 MEMORY = 2 << 30
 NOT_FINITE = re.compile(r"(?<![\w/-])[-+]?(nan|inf|infinity)(?![\w-])", re.I)
 REPORT = re.compile(r"AddressSanitizer|UndefinedBehavior|runtime error"
                     r"|LeakSanitizer")
-# Always defined, wherever they are stored.
+# Fields that must be finite at all nodes.
 FIELDS = ("pressure", "film_thickness", "roughness", "x", "y", "time")
 
 
@@ -51,7 +55,7 @@ def limits(seconds):
 
 
 def ended(arguments, seconds, patience):
-    """Runs the program; after `patience` it is asked to stop."""
+    """Runs the program and terminates it after `patience` seconds."""
     with subprocess.Popen([OVERROLL, *arguments], stdin=subprocess.DEVNULL,
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                           text=True,
@@ -65,7 +69,7 @@ def ended(arguments, seconds, patience):
 
 
 def call(arguments, seconds=600, codes=(0, 2), patience=None):
-    """Exit code (None: out of time), stdout, stderr and CPU time."""
+    """Returns exit code (None: out of time), stdout, stderr and CPU time."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     done = ended(arguments, seconds, patience)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -94,20 +98,20 @@ def call(arguments, seconds=600, codes=(0, 2), patience=None):
 
 
 def refuse(word):
-    raise Fault(f"JSON holds {word}")
+    raise Fault(f"JSON contains {word}")
 
 
 def numbers(text, what):
     try:
         return json.loads(text, parse_constant=refuse)
     except ValueError as error:
-        raise Fault(f"{what}: no JSON ({error}): {text[:200]}") from error
+        raise Fault(f"{what}: invalid JSON ({error}): {text[:200]}") from error
 
 
 def file_at_fault(path):
-    """Infinite numbers are nowhere, and fields have none that is not finite.
+    """Checks that no number is infinite and that FIELDS contain no NaN.
 
-    Returns the names of other data that hold NaN (undefined quantities)."""
+    Returns the names of other data with NaN (undefined quantities)."""
     undefined = set()
 
     def visit(name, thing):
@@ -122,7 +126,7 @@ def file_at_fault(path):
             raise Fault(f"{path}: {name} is infinite")
         if numpy.isnan(values).any():
             if name in FIELDS:
-                raise Fault(f"{path}: {name} holds NaN")
+                raise Fault(f"{path}: {name} contains NaN")
             undefined.add(name)
 
     with h5py.File(path, "r") as h5:
@@ -143,7 +147,8 @@ def content(path):
 
 
 def killed(case, whole, seconds, when):
-    """Killed after a share of the time of the whole run, resumed, compared."""
+    """Kills a run after a fraction `when` of its time, resumes it, and compares
+    it with the whole run."""
     part = "killed.h5"
     clear(part)
     run = subprocess.Popen([OVERROLL, "run", case, "-o", part, "-q"],
@@ -171,28 +176,29 @@ def killed(case, whole, seconds, when):
 
 
 def try_case(case, number, most):
-    """Outcome, cost relative to the estimate (None: not compared), remark."""
+    """Returns outcome, CPU time relative to the estimate (None: not compared)
+    and a remark."""
     code, out, err, _ = call(["check", case, "--json"])
     if code == 2:
         return "refused", None, err.strip()
-    told = numbers(out, "check")
+    summary = numbers(out, "check")
     call(["check", case])
     _, out, _, _ = call(["check", case, "-v"])
     with open("again.ini", "w", encoding="utf-8") as again:
         again.write(out)
     _, out, err, _ = call(["check", "again.ini", "--json"])
     if not out:
-        raise Fault(f"{case}: the output of check -v is no case: {err}")
+        raise Fault(f"{case}: the output of check -v is not a case: {err}")
     again = numbers(out, "check of check -v")
     for key in ("M", "L", "nodes", "steps", "H_cen_moes", "inlet"):
-        a, b = told[key], again[key]
+        a, b = summary[key], again[key]
         if a != b and not abs(a - b) <= 1e-9 * abs(a):
             raise Fault(f"{case}: {key} of check -v is {b}, not {a}")
-    estimate = told["estimated_seconds"]
+    estimate = summary["estimated_seconds"]
     if most and estimate > most:
         return "skipped", None, f"estimate {estimate:.3g} s"
-    if (told["memory_bytes"] or 0) > MEMORY / 2:
-        return "skipped", None, f"{told['memory_bytes']:.3g} bytes"
+    if (summary["memory_bytes"] or 0) > MEMORY / 2:
+        return "skipped", None, f"{summary['memory_bytes']:.3g} bytes"
     result = "whole.h5"
     clear(result)
     limit = (30 * estimate + 60) * SLOWER
@@ -206,10 +212,10 @@ def try_case(case, number, most):
     if code is None:
         return "out of time", cost, f"after {used:.0f} s of CPU"
     if style and out:
-        told = numbers(out, "run")
-        if code < 2 and told["converged"] != (code == 0):
+        summary = numbers(out, "run")
+        if code < 2 and summary["converged"] != (code == 0):
             raise Fault(f"{case}: exit code {code}, converged "
-                        f"{told['converged']}")
+                        f"{summary['converged']}")
     if code in (0, 3) and not out:
         raise Fault(f"{case}: no report")
     remark = ""
