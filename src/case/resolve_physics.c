@@ -431,6 +431,16 @@ double ovr_setup_seconds_of_physics(const ovr_setup *setup, double node_steps)
     return seconds;
 }
 
+double ovr_setup_strip_cycle(const ovr_setup *setup)
+{
+    const ovr_resolved *r = setup->resolved;
+    double seconds = 0;
+    for (int k = 0; ovr_physics_list[k]; k++)
+        if (is_on(r, k) && in_case(k)->cycle_seconds)
+            seconds = in_case(k)->cycle_seconds(r->physics[k].form);
+    return seconds;
+}
+
 unsigned ovr_resolved_features(const ovr_resolved *r)
 {
     unsigned on = 0;

@@ -57,6 +57,9 @@ double ovr_setup_lag(const ovr_setup *setup);
  * addition to the film, for a number of nodes times steps. */
 double ovr_setup_seconds_of_physics(const ovr_setup *setup, double node_steps);
 
+/* Estimates the computing time in seconds of a steady cycle of a strip. */
+double ovr_setup_strip_cycle(const ovr_setup *setup);
+
 /* Issues a warning to the listener of a run or setup. */
 void ovr_warn(ovr_listener *say, void *data, const char *format, ...)
     OVR_PRINTF(3, 4);

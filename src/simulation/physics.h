@@ -184,6 +184,9 @@ typedef struct ovr_physics_in_case {
     double node_seconds;
     double (*seconds)(const void *form);
 
+    /* CPU seconds of a cycle of a steady solve by a solver of its own. */
+    double (*cycle_seconds)(const void *form);
+
     /* Layers on a body, in units b and p_h; NULL: none. */
     const struct ovr_coated *(*layers)(const void *form, int body);
 

@@ -277,6 +277,34 @@ as_cycles 2 steps.ini solver.tolerance=1e-10
 echo '[strip]' >>steps.ini
 as_cycles 2 steps.ini solver.tolerance=1e-10
 
+# The balance of the paper hardly converges in thick films.
+count=cycles
+cat >balance.ini <<'END'
+[contact]
+M = 0.3
+L = 2
+[domain]
+level = 4
+[paper]
+paper_balance = yes
+END
+as_cycles 3 balance.ini contact.M=0.1
+
+# High waves in the thick film of a strip grow out of smooth surfaces.
+cat >thick.ini <<'END'
+[contact]
+M = 0.5
+L = 11
+[domain]
+level = 4
+[strip]
+[feature w]
+shape = wave
+amplitude = 9
+wavelength = 0.8
+END
+as_cycles 10 thick.ini feature.w.amplitude=9 feature.w.amplitude=1
+
 # The time includes the preparation of rough surfaces, which check does too: by
 # filters across in a strip, by alternations between ranks and spectrum.
 cat >prepared.ini <<'END'

@@ -169,6 +169,9 @@ static double steady_cycles(double tolerance)
  * of a steady film. */
 static const double ELIMINATION = 8e-11, STEADY_ELIMINATIONS = 8;
 
+/* Elimination relative to that of all nodes: some have no pressure. */
+static const double PRESSURIZED = 0.35;
+
 static double coarsest_nodes(const ovr_strip_form *f, double length, double D,
                              size_t *n, size_t *lines)
 {
@@ -207,10 +210,12 @@ ovr_status ovr_strip_on_mesh(const ovr_physics_case *of, void *form, double D,
     double node = STEADY_NODE + steady_cycles(o->tolerance) * CYCLE_NODE +
                   steps * STEP_NODE * step_work(o->tolerance);
     double threads = fmin(f->threads, ovr_processors());
-    f->seconds = (length / D + 1) * lines * node *
-                     (ALONE + (1 - ALONE) / fmax(1, threads)) +
-                 pow(coarsest_nodes(f, length, D, &n, &rows), 3) * ELIMINATION *
-                     (STEADY_ELIMINATIONS + steps);
+    double nodes = (length / D + 1) * lines *
+                   (ALONE + (1 - ALONE) / fmax(1, threads));
+    double elimination = pow(coarsest_nodes(f, length, D, &n, &rows), 3) *
+                         ELIMINATION;
+    f->seconds = nodes * node + elimination * (STEADY_ELIMINATIONS + steps);
+    f->cycle_seconds = nodes * CYCLE_NODE + PRESSURIZED * elimination;
     if (ratio >= LEAST_RATIO && ratio <= LARGEST_RATIO)
         return check_coarsest(f, length, D, err);
     if (f->width < fewest * LEAST_RATIO * D)
@@ -243,6 +248,11 @@ size_t ovr_strip_lines_across(const void *form, double D)
 double ovr_strip_seconds(const void *form)
 {
     return ((const ovr_strip_form *)form)->seconds;
+}
+
+double ovr_strip_cycle_seconds(const void *form)
+{
+    return ((const ovr_strip_form *)form)->cycle_seconds;
 }
 
 void ovr_strip_describe(const ovr_physics_case *of, const void *form,

@@ -521,6 +521,7 @@ static const ovr_physics_in_case in_case = {
     .effects = ovr_strip_state,
     .describe = ovr_strip_describe,
     .seconds = ovr_strip_seconds,
+    .cycle_seconds = ovr_strip_cycle_seconds,
     .lines_across = ovr_strip_lines_across,
     .one_mesh = "of a strip"};
 

@@ -17,7 +17,7 @@ typedef struct ovr_strip_form {
                      feature */
     int threads;
     double M; /* Moes number, for the coarsest grid */
-    double seconds;
+    double seconds, cycle_seconds;
 } ovr_strip_form;
 
 extern const ovr_section ovr_strip_section;
@@ -35,6 +35,7 @@ void ovr_strip_state(const void *form, ovr_physics_effects *effects);
 void ovr_strip_describe(const ovr_physics_case *of, const void *form,
                         ovr_physics_line *line, void *data);
 double ovr_strip_seconds(const void *form);
+double ovr_strip_cycle_seconds(const void *form);
 size_t ovr_strip_lines_across(const void *form, double D);
 
 /* Lines of the finest grid on a mesh size D along x. */
