@@ -139,8 +139,8 @@ static bool thins(const ovr_setup *setup)
 static double strip_cycles(const ovr_feature_info *f, double film, bool thinned)
 {
     const double two_pi = 6.283185307179586;
-    const double one = 25, most = 600, recess = 0.6, thinning = 1.5;
-    const double thick = 1, in_thick = 400;
+    const double one = 25, most = 400, recess = 0.6, thinning = 1.5;
+    const double thick = 1, in_thick = 300;
     double pressure = two_pi * f->amplitude / f->wavelength;
     double relative = f->amplitude / film * pressure / (1 + pressure);
     bool raised = f->raised >= 0.5 * f->amplitude;
