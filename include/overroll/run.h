@@ -234,11 +234,12 @@ OVR_API ovr_status ovr_result_unpack(const char *path, const char *folder,
                                      void *data, ovr_error *err);
 
 /* Passes lines about an unsolved setup to `take`: contact, film thickness
- * formulas, features, grid and cost. `live` is the memory of the
- * setup in bytes, which is added to the memory of the run. */
+ * formulas, features, grid and cost. `live` is the memory of the setup in
+ * bytes, which is added to the memory of the run. `peak` is the maximum memory
+ * while the setup was prepared (0: unknown), which may exceed this sum. */
 OVR_API ovr_status ovr_setup_report(const ovr_setup *setup, double live,
-                                    ovr_summary_taker *take, void *data,
-                                    ovr_error *err);
+                                    double peak, ovr_summary_taker *take,
+                                    void *data, ovr_error *err);
 
 /* Warns about a prepared setup before it is solved: features that the grid
  * does not resolve, that start inside the domain or never enter it, a start

@@ -128,22 +128,29 @@ static void json_stations(json_writer *json, const ovr_setup *setup)
  */
 enum { HEAD = sizeof(max_align_t) };
 
-static void *count_allocation(void *live, size_t bytes)
+typedef struct used {
+    double live, peak; /* bytes */
+} used;
+
+static void *count_allocation(void *context, size_t bytes)
 {
+    used *memory = context;
     unsigned char *piece = malloc(HEAD + bytes);
     if (!piece)
         return NULL;
     memcpy(piece, &bytes, sizeof bytes);
-    *(double *)live += (double)bytes;
+    memory->live += (double)bytes;
+    if (memory->live > memory->peak)
+        memory->peak = memory->live;
     return piece + HEAD;
 }
 
-static void count_release(void *live, void *memory)
+static void count_release(void *context, void *memory)
 {
     unsigned char *piece = (unsigned char *)memory - HEAD;
     size_t bytes;
     memcpy(&bytes, piece, sizeof bytes);
-    *(double *)live -= (double)bytes;
+    ((used *)context)->live -= (double)bytes;
     free(piece);
 }
 
@@ -179,10 +186,11 @@ static void hear_json(void *data, ovr_message_kind kind, const char *text)
 }
 
 static ovr_status report_json(const ovr_case *c, const ovr_setup *setup,
-                              double live, ovr_error *err)
+                              used memory, ovr_error *err)
 {
     json_writer json = json_begin(stdout);
-    ovr_status status = ovr_setup_report(setup, live, cli_put_line, &json, err);
+    ovr_status status = ovr_setup_report(setup, memory.live, memory.peak,
+                                         cli_put_line, &json, err);
     json_stations(&json, setup);
     json_open_array(&json, "warnings");
     ovr_setup_review(setup, hear_json, &json);
@@ -193,13 +201,14 @@ static ovr_status report_json(const ovr_case *c, const ovr_setup *setup,
 }
 
 static ovr_status report(cli_call *call, const ovr_case *c,
-                         const ovr_setup *setup, double live, ovr_error *err)
+                         const ovr_setup *setup, used memory, ovr_error *err)
 {
     ovr_status status;
     bool begun = false;
     if (call->json)
-        return report_json(c, setup, live, err);
-    status = ovr_setup_report(setup, live, print_comment, call, err);
+        return report_json(c, setup, memory, err);
+    status = ovr_setup_report(setup, memory.live, memory.peak, print_comment,
+                              call, err);
     if (status)
         return status;
     print_stations(setup);
@@ -215,15 +224,16 @@ static int run(cli_call *call)
     ovr_case *c = cli_open_case(call, &code);
     ovr_setup *setup;
     ovr_error err = {0};
-    double live = 0, depth;
-    const ovr_allocator counted = {count_allocation, count_release, &live};
+    double depth;
+    used memory = {0, 0};
+    const ovr_allocator counted = {count_allocation, count_release, &memory};
     if (!c)
         return code;
     setup = ovr_case_resolve(c, &counted, &err);
     if (setup && !ovr_setup_prepare(setup, &counted, &err) &&
         !ovr_setup_stress_depth(setup, &depth, &err)) {
         ovr_setup_review(setup, cli_say, call);
-        if (report(call, c, setup, live, &err))
+        if (report(call, c, setup, memory, &err))
             code = cli_fail(&err);
     } else {
         code = cli_fail(&err);

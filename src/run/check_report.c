@@ -463,7 +463,7 @@ void ovr_setup_scales(const ovr_setup *setup, ovr_summary_taker *take,
         report_formulas(&keyed, setup);
 }
 
-ovr_status ovr_setup_report(const ovr_setup *setup, double live,
+ovr_status ovr_setup_report(const ovr_setup *setup, double live, double peak,
                             ovr_summary_taker *take, void *data, ovr_error *err)
 {
     const ovr_report_sink to = {take, data};
@@ -475,7 +475,12 @@ ovr_status ovr_setup_report(const ovr_setup *setup, double live,
                         "ovr_setup_report: live = %g must be a number of "
                         "bytes",
                         live);
-    const ovr_cost cost = ovr_setup_cost(setup, live);
+    if (!(peak >= 0) || isinf(peak))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "ovr_setup_report: peak = %g must be a number of "
+                        "bytes",
+                        peak);
+    const ovr_cost cost = ovr_setup_cost(setup, live, peak);
     ovr_status status = ovr_setup_rough_film(setup, NULL, &film, err);
     if (status)
         return status;

@@ -190,15 +190,15 @@ static double growing_steps(const ovr_setup *setup)
     return steps;
 }
 
-ovr_cost ovr_setup_cost(const ovr_setup *setup, double live)
+ovr_cost ovr_setup_cost(const ovr_setup *setup, double live, double peak)
 {
     const ovr_march *march = setup->march;
     double dT = ovr_setup_step(setup);
     ovr_cost cost = {0};
     cost.nodes = (double)setup->nodes;
     cost.mesh = setup->mesh;
-    cost.bytes = live + ovr_setup_memory(setup) +
-                 ovr_setup_output_memory(setup);
+    cost.bytes = fmax(peak, live + ovr_setup_memory(setup) +
+                                ovr_setup_output_memory(setup));
     if (setup->transient)
         cost.steps = ceil(march->end / dT);
     cost.passes = setup->passes->number;

@@ -16,7 +16,9 @@ typedef struct ovr_cost {
 /* Returns the memory in bytes for writing the result file. */
 double ovr_setup_output_memory(const ovr_setup *setup);
 
-/* `live`: bytes already allocated by the setup, including its surfaces. */
-ovr_cost ovr_setup_cost(const ovr_setup *setup, double live);
+/* `live`: bytes already allocated by the setup, including its surfaces.
+ * `peak`: maximum while the setup was prepared, for example while measured
+ * surfaces were read and filtered. */
+ovr_cost ovr_setup_cost(const ovr_setup *setup, double live, double peak);
 
 #endif

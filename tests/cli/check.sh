@@ -384,3 +384,37 @@ contains out 'no prediction: .* against the entrainment speed'
 # A steady solution that leaves the wave out is not compared with it.
 expect 0 "$OVERROLL" steady rough.ini
 ! grep -q 'film thickness roughness Rq' out || fail 'of waves left out'
+
+# The predicted memory of a long measured profile, most of which is needed to
+# read and filter the profile, compared with the resident set of the process.
+if [ -z "$INSTRUMENTED" ] && command -v python3 >/dev/null; then
+    awk 'BEGIN { print "x [um],z [um]"; for (i = 0; i < 160000; i++)
+        printf "%g,%.4f\n", i/4, sin(i/20)/20 + sin(i/3)/50 }' >long.csv
+    cat >long.ini <<'E2'
+[contact]
+M = 20
+L = 10
+radius = 12 mm
+modulus = 226 GPa
+[time]
+end = 1
+[feature p]
+shape = profile
+file = long.csv
+lambda_c = 250 um
+E2
+    printf '[contact]\nM = 20\nL = 10\n' >short.ini
+    expect 0 python3 - <<'E2'
+import json, os, resource, subprocess
+program = os.environ["OVERROLL"]
+def check(case):
+    done = subprocess.run([program, "check", case, "--json"],
+                          stdout=subprocess.PIPE, check=True)
+    most = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss * 1024
+    return json.loads(done.stdout)["memory_bytes"], most
+_, program_itself = check("short.ini")
+predicted, most = check("long.ini")
+assert predicted > 2e7, predicted
+assert 0.5 < (most - program_itself) / predicted < 2, (predicted, most)
+E2
+fi

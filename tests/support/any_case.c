@@ -500,7 +500,7 @@ static double cost_of(const draw *d, double seconds)
     ovr_setup *s = c ? ovr_case_resolve(c, NULL, &err) : NULL;
     double estimate = NAN;
     if (s && !ovr_setup_prepare(s, NULL, &err))
-        estimate = ovr_setup_cost(s, 0).seconds;
+        estimate = ovr_setup_cost(s, 0, 0).seconds;
     ovr_setup_free(s);
     ovr_case_free(c);
     return fmax(estimate, seconds) > start ? seconds / estimate : NAN;

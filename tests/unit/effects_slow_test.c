@@ -150,7 +150,7 @@ static bool run(ovr_case *c, told *t)
         const ovr_run_info *info = ovr_run_get_info(r);
         ovr_run_summary(info, take, t);
         ovr_setup_describe(info->setup, take_answer, t);
-        good = !ovr_setup_report(info->setup, 0, take, t, &err);
+        good = !ovr_setup_report(info->setup, 0, 0, take, t, &err);
     }
     ovr_run_free(r);
     return good;
