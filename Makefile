@@ -560,14 +560,23 @@ MAN        := $(filter-out src/case/overroll-case.5,$(wildcard src/*/*.[1357])) 
               $(CASE_PAGE)
 SHARE      := $(DESTDIR)$(PREFIX)/share
 COMPDIR    := $(SHARE)/bash-completion/completions
-# What install has put where, without DESTDIR, for uninstall.
+# Files written and folders created by install, without DESTDIR, for uninstall.
 MANIFEST   := $(SHARE)/overroll/manifest
+FOLDERS    := $(SHARE)/overroll/folders
+INSTALLED_IN := $(PREFIX)/bin $(LIBDIR)/pkgconfig $(PREFIX)/include/overroll \
+  $(PREFIX)/share/bash-completion/completions $(PREFIX)/share/overroll \
+  $(sort $(foreach m,$(MAN),$(MANDIR)/man$(subst .,,$(suffix $(m)))))
 
 # The installed program has no debug information: 11 MB for 33.  INSTALL_STRIP=
 # keeps it.
 INSTALL_STRIP := $(if $(KIND),,-s)
 
 install: all ## into DESTDIR/PREFIX (/usr/local)
+	@{ cat '$(FOLDERS)' 2>/dev/null; \
+	   for d in $(INSTALLED_IN:%='%'); do \
+	     while [ "$${d#/?}" != "$$d" ] && [ ! -d "$(DESTDIR)$$d" ]; do \
+	       echo "$$d"; d=$$(dirname "$$d"); done; done; } | \
+	   LC_ALL=C sort -ru > $(BUILD)/folders
 	install -d '$(DESTDIR)$(PREFIX)/bin' '$(DESTDIR)$(LIBDIR)/pkgconfig' \
 	  '$(DESTDIR)$(PREFIX)/include/overroll'
 	install $(INSTALL_STRIP) $(PROGRAM) '$(DESTDIR)$(PREFIX)/bin/overroll'
@@ -585,6 +594,7 @@ install: all ## into DESTDIR/PREFIX (/usr/local)
 	[ ! -e $(BUILD)/web/overroll.html ] || install -D -m 644 \
 	  $(BUILD)/web/overroll.html '$(DESTDIR)$(PREFIX)/share/overroll/overroll.html'
 	install -d '$(dir $(MANIFEST))'
+	install -m 644 $(BUILD)/folders '$(FOLDERS)'
 	@{ printf '%s\n' '$(PREFIX)/bin/overroll' \
 	     '$(PREFIX)/share/bash-completion/completions/overroll' \
 	     '$(PREFIX)/share/overroll/overroll.html'; \
@@ -613,6 +623,10 @@ uninstall: ## take out what install has put into PREFIX
 	    "make uninstall PREFIX=... looks elsewhere" >&2; exit 1; }
 	@while IFS= read -r file; do rm -f "$(DESTDIR)$$file"; done < '$(MANIFEST)'
 	@rm -f '$(MANIFEST)'
+	@! [ -f '$(FOLDERS)' ] || { created=$$(cat '$(FOLDERS)'); rm '$(FOLDERS)'; \
+	  printf '%s\n' "$$created" | while IFS= read -r d; do \
+	    [ -z "$$d" ] || [ ! -d "$(DESTDIR)$$d" ] || \
+	      rmdir --ignore-fail-on-non-empty "$(DESTDIR)$$d"; done; }
 	@for d in '$(dir $(MANIFEST))' '$(DESTDIR)$(PREFIX)/include/overroll'; do \
 	  [ ! -d "$$d" ] || rmdir --ignore-fail-on-non-empty "$$d"; done
 	$(call say,GONE  from $(DESTDIR)$(PREFIX))

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # pkg-config finds the installed library, shared and static, and a program links
-# with it. uninstall leaves no file.
+# with it. uninstall leaves no file and no empty folder.
 . "$TOP/tests/support/cli.sh"
 [ -z "$INSTRUMENTED" ] || skip "instrumented libraries are not installed"
 
@@ -68,6 +68,21 @@ find "$prefix" ! -type d >left
     fail "uninstall leaves $(cat left)"
 expect 2 make -C "$TOP" -o all uninstall BUILD="$BUILD" PREFIX="$prefix"
 contains err "nothing is installed in $prefix: .*PREFIX=... looks elsewhere"
+# Empty folders that install has created are removed, also after it was run
+# twice. Others remain.
+find "$prefix" -type d | sort >left
+printf '%s\n' "$prefix" "$prefix/include" "$prefix/include/overroll" |
+    cmp -s - left || fail "uninstall leaves $(cat left)"
+rm -r "$prefix"
+mkdir -p "$prefix/lib" "$prefix/share/man"
+for_make install
+for_make install
+mkdir "$prefix/bin/mine"
+for_make uninstall
+find "$prefix" | sort >left
+printf '%s\n' "$prefix" "$prefix/bin" "$prefix/bin/mine" "$prefix/lib" \
+    "$prefix/share" "$prefix/share/man" |
+    cmp -s - left || fail "uninstall leaves $(cat left)"
 
 # What make bench needs beyond tools/demo it says in a line.
 printf '#!/bin/sh\ncase "$*" in *cmocka*) exit 1 ;; esac\n' >without
