@@ -230,14 +230,10 @@ static void report_heat(const ovr_report_sink *to, const ovr_run_info *s)
                         "unknown (the film is not that of its heat)");
         return;
     }
-    if (ovr_heat_is_resolved(o))
-        ovr_report_number(to, "maximum film temperature", 4,
-                          o->T_film_max - zero, "%-11s %.4g", "degC",
-                          o->X_T_film_max);
-    else
-        ovr_report_number(to, "maximum film temperature", 4,
-                          o->T_film_max - zero, "%-11s %-10.4g (not resolved)",
-                          "degC", o->X_T_film_max);
+    ovr_report_number(to, "maximum film temperature", 4, o->T_film_max - zero,
+                      ovr_heat_is_resolved(o) ? "%-11s %.4g"
+                                              : "%-11s %-10.4g (not resolved)",
+                      "degC", o->X_T_film_max);
     ovr_report_number(to, "maximum temperature of surface 1", 4,
                       o->T_1_max - zero, "degC");
     ovr_report_number(to, "maximum temperature of surface 2", 4,
