@@ -68,15 +68,29 @@ int ovr_level_resolving(const ovr_simulation *sim)
            (int)fmax(1, ceil(log2(inlet_mesh(sim) / largest)));
 }
 
+/* Names the level that resolves the film or, if it is beyond all usual levels,
+ * the conditions to change. */
 static ovr_status too_thin(const ovr_simulation *sim, ovr_error *err)
 {
+    enum { FINEST = 14 };
     double rise = inlet_rise(sim), D = inlet_mesh(sim);
+    int level = ovr_level_resolving(sim);
+    char remedy[160];
+    if (level <= FINEST)
+        snprintf(remedy, sizeof remedy, "level %d resolves it", level);
+    else
+        snprintf(remedy, sizeof remedy,
+                 "no level up to %d resolves it; use a higher speed or "
+                 "viscosity%s",
+                 FINEST,
+                 sim->grids.touch.at ? " (asperities carry nearly all of the "
+                                       "load)"
+                                     : "");
     return ovr_fail(err, OVR_IMPOSSIBLE,
                     "the film is too thin for the grid: by the film thickness "
                     "formula H = %.1e, so that the pressure builds up within "
-                    "%.1e b, but the mesh size is %.1e; level %d resolves it",
-                    ovr_target_film(&sim->target, 1), rise, D,
-                    ovr_level_resolving(sim));
+                    "%.1e b, but the mesh size is %.1e; %s",
+                    ovr_target_film(&sim->target, 1), rise, D, remedy);
 }
 
 /* True if the surfaces overlap. In solves with touching surfaces R was 1e-5 to

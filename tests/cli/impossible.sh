@@ -101,6 +101,29 @@ kept thin.h5 "$thin"
 level=$(sed -n "s/.*; level \([0-9]*\) resolves it\$/\1/p" err)
 expect 0 "$OVERROLL" steady thin.ini --level "${level:-9}"
 
+# A film that no level resolves, and a contact at nearly no speed whose load is
+# carried by the boundary layers: the conditions to change
+beyond='the film is too thin for the grid: .*; no level up to 14 resolves it; '
+beyond="${beyond}use a higher speed or viscosity"
+cat >layer.ini <<'END'
+[contact]
+hertz_pressure = 0.5 GPa
+radius = 10 mm
+modulus = 226 GPa
+mean_speed = 1e-9 m/s
+[lubricant]
+viscosity = 30 mPa.s
+alpha = 18 1/GPa
+[domain]
+level = 6
+[boundary]
+law = layer
+layer = 5 nm
+layer_decay = 2 nm
+END
+gives_up "$beyond .asperities carry nearly all of the load.$" run layer.ini \
+    -o layer.h5
+
 # None of these: how far it came, after all strategies
 far='the steady solution did not converge with any of 4 strategies: relative '
 printf '[contact]\nM = 20\nL = 10\n' >far.ini
