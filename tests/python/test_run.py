@@ -57,14 +57,14 @@ def test_same_bits_as_the_program(dent, program):
 
 
 def test_same_numbers_as_the_program(program):
-    said = subprocess.run([program, "steady", "--M", "20", "--L", "10",
-                           "--level", "6", "--json", "-q"], check=True,
-                          stdout=subprocess.PIPE).stdout
-    film, said = ovr.steady(M=20, L=10, level=6), json.loads(said)
+    summary = subprocess.run([program, "steady", "--M", "20", "--L", "10",
+                              "--level", "6", "--json", "-q"], check=True,
+                             stdout=subprocess.PIPE).stdout
+    film, summary = ovr.steady(M=20, L=10, level=6), json.loads(summary)
     compared = 0
     for name, value in film.numbers().items():
-        if name in said and said[name] is not None:
-            assert value == said[name], name
+        if name in summary and summary[name] is not None:
+            assert value == summary[name], name
             compared += 1
     assert compared > 15
 
@@ -211,10 +211,10 @@ def test_own_surface_in_a_file(dent):
         ovr.run(dent, surface=lambda T, X: X * np.nan)
 
 
-def test_progress_is_told(dent, capsys):
-    told = []
-    ovr.run(dent, progress=told.append)
-    assert told and all(0 <= f <= 1 for f in told)
+def test_progress_is_reported(dent, capsys):
+    reported = []
+    ovr.run(dent, progress=reported.append)
+    assert reported and all(0 <= f <= 1 for f in reported)
     ovr.run(dent, progress=True)
     assert "%" in capsys.readouterr().err
     ovr.run(dent)  # no terminal
@@ -301,13 +301,13 @@ def test_layers_of_a_body(program):
                    check=True)
     ds = ovr.run(case, "python.h5")
     same_file("c.h5", "python.h5")
-    said = ovr.open("python.h5", group="summary").attrs
-    upper = said["layer_utilisation"] * 3e9 / said["layer_von_mises_max_Pa"]
+    s = ovr.open("python.h5", group="summary").attrs
+    upper = s["layer_utilisation"] * 3e9 / s["layer_von_mises_max_Pa"]
     assert 0 < upper <= 1 + 1e-9
     table = ovr.sweep(case, **{"coating 1.thickness": ["20 um", "50 um"],
                                "workers": 2})
     assert float(table.layer_von_mises_max_Pa[1]) == \
-        said["layer_von_mises_max_Pa"]
+        s["layer_von_mises_max_Pa"]
     assert table.layer_von_mises_max_Pa[0] != table.layer_von_mises_max_Pa[1]
 
 

@@ -89,11 +89,11 @@ def test_pictures(dent, gnuplot):
 
 def test_frames(dent, gnuplot):
     ds = ovr.run(dent)
-    told = []
+    reported = []
     frames = ds.overroll.frames(folder="frames", every=80, width=320,
-                                height=240, progress=told.append)
+                                height=240, progress=reported.append)
     assert frames.drawn == len([n for n in os.listdir("frames")
-                                if n.endswith(".png")]) > 1 and told
+                                if n.endswith(".png")]) > 1 and reported
     with pytest.raises(ZeroDivisionError):
         ds.overroll.frames(folder="other", width=320, height=240,
                            progress=lambda f: 1 / 0)

@@ -97,14 +97,14 @@ static bool is_later(const char *where)
     return false;
 }
 
-/* -------------------------------------------------- what is told of a case */
+/* ------------------------------------------------------ results of a case */
 
-typedef struct told {
+typedef struct record {
     uint64_t sum; /* FNV-1a of all printed text */
     bool noted;   /* that a key has no effect */
-} told;
+} record;
 
-static void add(told *t, const char *text)
+static void add(record *t, const char *text)
 {
     for (; text && *text; text++)
         t->sum = (t->sum ^ (unsigned char)*text) * UINT64_C(1099511628211);
@@ -112,7 +112,7 @@ static void add(told *t, const char *text)
 
 static void hear(void *data, ovr_message_kind kind, const char *text)
 {
-    told *t = data;
+    record *t = data;
     (void)kind;
     t->noted = t->noted || strstr(text, "no effect");
     add(t, text);
@@ -139,11 +139,11 @@ static void take_answer(void *data, const char *name, const char *text)
 }
 
 /* Runs the case as it was set; false where it is refused, or breaks off. */
-static bool run(ovr_case *c, told *t)
+static bool run(ovr_case *c, record *t)
 {
     ovr_error err = {0};
     ovr_run_options how = {.say = hear, .data = t, .force = true};
-    *t = (told){.sum = UINT64_C(14695981039346656037)};
+    *t = (record){.sum = UINT64_C(14695981039346656037)};
     ovr_run *r = ovr_run_create(c, &how, NULL, &err);
     bool good = r && !ovr_run_execute(r, &err);
     if (good) {
@@ -228,12 +228,12 @@ static bool is_given(const char *source, const char *where)
 /* Whether a key is taken in silence, and nothing comes of it.  Of two words one
  * is the default, which counts too. */
 static bool is_idle(const char *source, const ovr_parameter_info *p,
-                    const told *base)
+                    const record *base)
 {
     char where[120], text[80];
     const char *value;
     int same = 0, other = 0;
-    told first = *base;
+    record first = *base;
     snprintf(where, sizeof where, "%s%s.%s", p->section, name_of(p->section),
              p->key);
     if (is_later(where))
@@ -241,7 +241,7 @@ static bool is_idle(const char *source, const ovr_parameter_info *p,
     same = is_pair(p) && !is_given(source, where);
     for (size_t k = 0; same < 6 && (value = value_of(p, k, text)); k++) {
         ovr_error err = {0};
-        told now;
+        record now;
         if (p->initial && !strcmp(value, p->initial))
             continue;
         ovr_case *c = ovr_case_read_text(source, "t.ini", NULL, NULL, &err);
@@ -267,7 +267,7 @@ TEST(keys_have_effects_or_are_refused)
     size_t idle = 0;
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         ovr_error err = {0};
-        told base;
+        record base;
         ovr_case *c = ovr_case_read_text(cases[k].text, "t.ini", NULL, NULL,
                                          &err);
         assert_non_null(c);

@@ -108,7 +108,7 @@ static ovr_observation solved(double M, double L, int level, ovr_scheme scheme)
     return o;
 }
 
-/* A mesh too coarse for the neck: the parabola said -0.0019. */
+/* The grid is too coarse for the constriction: the parabola gave -0.0019. */
 TEST(no_film_is_negative)
 {
     ovr_observation o = solved(100, 5, 3, OVR_UPSTREAM1);

@@ -15,30 +15,30 @@
 enum { NEVER = -1 };
 
 /* Final messages, and the numbers except computing times. */
-typedef struct told {
+typedef struct record {
     long steps;
     int warnings;
     char text[8000], summary[16000];
     long looks, asked;    /* observed, and asked on the way */
     long stop, stop_when; /* at that look; when asked so often */
     ovr_status status;
-} told;
+} record;
 
 static bool stop(void *data)
 {
-    told *t = data;
+    record *t = data;
     return t->looks == t->stop;
 }
 
 static bool interrupt(void *data)
 {
-    told *t = data;
+    record *t = data;
     return ++t->asked == t->stop_when;
 }
 
 static ovr_status look(void *data, const ovr_simulation *sim, ovr_error *err)
 {
-    told *t = data;
+    record *t = data;
     (void)sim;
     (void)err;
     t->looks++;
@@ -56,7 +56,7 @@ static void take(void *data, const ovr_summary_line *line)
 {
     static const char *const differ[] = {"seconds", "output", "pass_output",
                                          "snapshots"};
-    told *t = data;
+    record *t = data;
     char text[1200];
     for (size_t k = 0; k < sizeof differ / sizeof *differ; k++)
         if (!strcmp(line->key, differ[k]))
@@ -66,7 +66,7 @@ static void take(void *data, const ovr_summary_line *line)
     add(t->summary, sizeof t->summary, text);
 }
 
-static void keep(told *t, const ovr_run *run)
+static void keep(record *t, const ovr_run *run)
 {
     const ovr_run_info *info = ovr_run_get_info(run);
     t->steps = ovr_simulation_statistics(info->sim)->steps;
@@ -77,7 +77,7 @@ static void keep(told *t, const ovr_run *run)
         ovr_run_summary(info, take, t);
 }
 
-static ovr_run_options options(told *t, const char *path)
+static ovr_run_options options(record *t, const char *path)
 {
     ovr_run_options how = {0};
     how.output = path;
@@ -88,7 +88,7 @@ static ovr_run_options options(told *t, const char *path)
     return how;
 }
 
-static told run(const char *text, const char *path, told t)
+static record run(const char *text, const char *path, record t)
 {
     bool stops = t.stop > 0 || t.stop_when > 0;
     ovr_error err = {0};
@@ -105,9 +105,9 @@ static told run(const char *text, const char *path, told t)
     return t;
 }
 
-static told resume(const char *path)
+static record resume(const char *path)
 {
-    told t = {.stop = NEVER};
+    record t = {.stop = NEVER};
     ovr_error err = {0};
     ovr_run_options how = options(&t, NULL);
     ovr_run *r = ovr_run_resume(path, &how, NULL, &err);
@@ -144,13 +144,13 @@ static void same_end_of(bool looked, const char *text, const char *folder,
     char path[600], whole_path[600];
     snprintf(path, sizeof path, "%s/part.h5", folder);
     snprintf(whole_path, sizeof whole_path, "%s/whole.h5", folder);
-    told whole = run(text, whole_path, (told){.stop = NEVER});
+    record whole = run(text, whole_path, (record){.stop = NEVER});
     for (size_t k = 0; k < count; k++) {
         long look = at[k] > 0 ? at[k] : whole.looks + 1 + at[k];
-        told stop = {.stop = looked ? look : NEVER,
-                     .stop_when = looked ? 0 : at[k]};
+        record stop = {.stop = looked ? look : NEVER,
+                       .stop_when = looked ? 0 : at[k]};
         run(text, path, stop);
-        told part = resume(path);
+        record part = resume(path);
         same_lines(part.text, whole.text, look, whole.looks);
         same_lines(part.summary, whole.summary, look, whole.looks);
         assert_int_equal(part.steps, whole.steps);
@@ -219,7 +219,7 @@ TEST(a_long_start_is_stopped_at_once)
     "[feature groove]\nshape = groove\nwidth = 0.5\nstart = -0.3\n"
 
 /* The steady film of a strip; returns the number of cycles. */
-static long start_of_strip(const char *depth, told *t)
+static long start_of_strip(const char *depth, record *t)
 {
     ovr_error err = {0};
     ovr_run_options how = options(t, NULL);
@@ -244,14 +244,14 @@ TEST(the_start_of_a_strip_is_stopped)
     static const char *const depth[] = {"0.01", "0.4"};
     static const double share[] = {0, 0.02, 0.1, 0.5, 0.9};
     for (size_t k = 0; k < sizeof depth / sizeof *depth; k++) {
-        told whole = {.stop = NEVER}, part;
+        record whole = {.stop = NEVER}, part;
         long cycles = start_of_strip(depth[k], &whole);
         assert_int_equal(whole.status, OVR_OK);
         assert_true(k ? cycles > 200 : cycles < 20);
         assert_true(whole.asked > cycles + 5);
         for (size_t i = 0; i < sizeof share / sizeof *share; i++) {
             long when = 1 + (long)(share[i] * (double)whole.asked);
-            part = (told){.stop = NEVER, .stop_when = when};
+            part = (record){.stop = NEVER, .stop_when = when};
             start_of_strip(depth[k], &part);
             assert_int_equal(part.status, OVR_STOPPED);
             assert_int_equal(part.asked, when);

@@ -17,9 +17,9 @@ enum { TASKS = 40, WORKERS = 2 };
 typedef struct seen {
     atomic_int times[TASKS]; /* done in a worker */
     pid_t by[TASKS];
-    int told[TASKS], code[TASKS], signal[TASKS];
+    int reports[TASKS], code[TASKS], signal[TASKS];
     int killed;  /* the task whose worker dies; -1: none */
-    int stop_at; /* tasks told of until it is to stop; 0: never */
+    int stop_at; /* number of reports after which the pool stops; 0: never */
     int ended;
 } seen;
 
@@ -37,7 +37,7 @@ static int work(void *data, size_t task, ovr_shared shared)
 static void ended(void *data, size_t task, int code, int number)
 {
     seen *s = data;
-    s->told[task]++;
+    s->reports[task]++;
     s->code[task] = code;
     s->signal[task] = number;
     s->ended++;
@@ -92,7 +92,7 @@ TEST(many_by_few)
     assert_int_equal(run(s), 0);
     for (int k = 0; k < TASKS; k++) {
         assert_int_equal(s->times[k], 1);
-        assert_int_equal(s->told[k], 1);
+        assert_int_equal(s->reports[k], 1);
         assert_int_equal(s->code[k], k % 3);
         assert_int_equal(s->signal[k], 0);
     }
@@ -106,7 +106,7 @@ TEST(one_that_dies)
     assert_int_equal(run(s), 0);
     for (int k = 0; k < TASKS; k++) {
         assert_int_equal(s->times[k], 1);
-        assert_int_equal(s->told[k], 1);
+        assert_int_equal(s->reports[k], 1);
         assert_int_equal(s->signal[k], k == 25 ? SIGKILL : 0);
     }
     assert_true(processes(s) <= WORKERS + 1);
@@ -121,8 +121,8 @@ TEST(stopped)
     s->stop_at = 1;
     assert_int_equal(run(s), 1);
     for (int k = 0; k < TASKS; k++) {
-        assert_int_equal(s->times[k], s->told[k]);
-        done += s->told[k];
+        assert_int_equal(s->times[k], s->reports[k]);
+        done += s->reports[k];
     }
     assert_true(done >= 1);
     munmap(s, sizeof *s);

@@ -84,10 +84,10 @@ TEST(loss_is_known_within_half)
         double mesh = M[k] < 50 ? 0.02 : 0.004, far = M[k] < 50 ? -40 : -10;
         double lost = 1 - film(M[k], L[k], -4, 1.5, mesh) /
                               film(M[k], L[k], far, 1.5, mesh);
-        double told = ovr_inlet_loss(M[k], L[k], -4);
-        printf("M = %g, L = %g: %.3g lost, %.3g told\n", M[k], L[k], lost,
-               told);
-        assert_true(lost < 1.5 * told && told < 1.5 * lost);
+        double predicted = ovr_inlet_loss(M[k], L[k], -4);
+        printf("M = %g, L = %g: %.3g lost, %.3g predicted\n", M[k], L[k], lost,
+               predicted);
+        assert_true(lost < 1.5 * predicted && predicted < 1.5 * lost);
     }
 }
 

@@ -530,7 +530,7 @@ TEST(memory_may_run_out)
     assert_true(test_every_allocation(try_to_make, &o) > 1);
 }
 
-/* What is foretold is what is taken, to a tenth. */
+/* The predicted memory agrees with the allocated memory within 10 %. */
 TEST(memory_is_predicted)
 {
     ovr_stress_options o = level8();
