@@ -180,8 +180,23 @@ done
 # A second signal ends at once a step that takes seconds.
 "$OVERROLL" run dent.ini --level 14 -o slow.h5 -q >out 2>err &
 pid=$!
-sleep 1
+# handles yes|no: waits until the program does (not) handle SIGINT, which a
+# process in the background ignores at first; the handler serves one signal.
+handles() {
+    for k in $(seq 600); do
+        case $(sed -n 's/^SigCgt:.*\(.\)$/\1/p' /proc/$pid/status) in
+        [2367abef]) seen=yes ;;
+        *) seen=no ;;
+        esac
+        [ $seen = "$1" ] && return
+        sleep 0.1
+    done
+    kill -KILL $pid
+    fail "SIGINT is handled: $seen"
+}
+handles yes
 kill -INT $pid
+handles no
 kill -INT $pid 2>/dev/null
 code=0
 wait $pid || code=$?

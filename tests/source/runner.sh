@@ -50,6 +50,10 @@ counts 0 '1 passed, 0 failed' scratch.sh
 if command -v timeout >/dev/null; then
     export TEST_SECONDS=1
     counts 1 '0 passed, 1 failed' hanging.sh
+    contains out ' 1 FAILED \(timed out after 1 s \(TEST_SECONDS\)\)$'
+    program early.sh 'exit 124'
+    TEST_SECONDS=60 counts 1 '0 passed, 1 failed' early.sh
+    contains out ' 1 FAILED \(exit code 124\)$'
 fi
 counts 1 '5 passed, 5 failed, 1 skipped' good bad crashing good.sh bad.sh \
     skipped.sh
