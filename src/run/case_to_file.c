@@ -58,13 +58,18 @@ static ovr_status choose_output(ovr_run *run, ovr_error *err)
                : OVR_NO_MEMORY;
 }
 
-static ovr_status prepare(ovr_run *run, ovr_error *err)
+static ovr_status resolve(ovr_run *run, ovr_error *err)
 {
     run->c->standing = !run->how.steady ? NULL : run->how.at ? run->how.at : "";
     if (run->how.steady)
         stop_growing(run->c);
     run->setup = ovr_case_resolve(run->c, &run->arena.allocator, err);
-    if (!run->setup || choose_output(run, err))
+    return run->setup ? OVR_OK : OVR_BAD_INPUT;
+}
+
+static ovr_status prepare(ovr_run *run, ovr_error *err)
+{
+    if (resolve(run, err) || choose_output(run, err))
         return OVR_BAD_INPUT;
     if (run->setup->passes->number > 1 && !run->how.steady)
         return ovr_passes_begin(run, err);
@@ -85,6 +90,20 @@ ovr_run *ovr_run_create(ovr_case *c, const ovr_run_options *options,
         return NULL;
     run->c = c;
     if (prepare(run, err)) {
+        ovr_run_free(run);
+        return NULL;
+    }
+    return run;
+}
+
+ovr_run *ovr_run_unsolved(ovr_case *c, const ovr_run_options *options,
+                          ovr_error *err)
+{
+    ovr_run *run = ovr_run_make(options, NULL, err);
+    if (!run)
+        return NULL;
+    run->c = c;
+    if (resolve(run, err) || ovr_run_set_up(run, err)) {
         ovr_run_free(run);
         return NULL;
     }

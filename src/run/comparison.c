@@ -278,22 +278,46 @@ static ovr_status read_target(ovr_comparison *c, const char *text,
     return c->quantity ? OVR_OK : OVR_NO_MEMORY;
 }
 
+static ovr_status fail_form(const char *text, ovr_error *err)
+{
+    return ovr_fail_about(err, "condition",
+                          "'%.80s' must be QUANTITY is VALUE, at most VALUE or "
+                          "at least VALUE",
+                          text);
+}
+
+/* Returns the first word of a condition and its length. */
+static const char *first_word(const char *text, size_t *size)
+{
+    const char *at = text + strspn(text, " \t");
+    *size = strcspn(at, " \t<=>");
+    return at;
+}
+
+const char *ovr_comparison_quantity(const char *text, ovr_arena *arena,
+                                    ovr_error *err)
+{
+    size_t size;
+    const char *at = first_word(text, &size);
+    char *quantity = ovr_arena_take(arena, size + 1, 1, err);
+    if (!quantity)
+        return NULL;
+    memcpy(quantity, at, size);
+    if (size)
+        return quantity;
+    fail_form(text, err);
+    return NULL;
+}
+
 ovr_status ovr_comparison_read(const char *text, ovr_comparison *c,
                                ovr_arena *arena, ovr_error *err)
 {
-    const char *at = text + strspn(text, " \t");
-    size_t size = strcspn(at, " \t<=>");
-    char *quantity = ovr_arena_take(arena, size + 1, 1, err);
-    if (!quantity)
-        return OVR_NO_MEMORY;
-    memcpy(quantity, at, size);
-    c->quantity = quantity;
-    at += size;
-    if (!size || !read_relation(&at, &c->sense))
-        return ovr_fail_about(
-            err, "condition",
-            "'%.80s' must be QUANTITY is VALUE, at most VALUE "
-            "or at least VALUE",
-            text);
+    size_t size;
+    const char *at = first_word(text, &size) + size;
+    c->quantity = ovr_comparison_quantity(text, arena, err);
+    if (!c->quantity)
+        return OVR_BAD_INPUT;
+    if (!read_relation(&at, &c->sense))
+        return fail_form(text, err);
     return read_target(c, at + strspn(at, " \t"), arena, err);
 }

@@ -18,6 +18,10 @@ typedef struct ovr_comparison {
  * no number. */
 const char *ovr_amount_read(const char *text, double *number);
 
+/* Returns the quantity of a condition as written, or NULL. */
+const char *ovr_comparison_quantity(const char *text, ovr_arena *arena,
+                                    ovr_error *err);
+
 ovr_status ovr_comparison_read(const char *text, ovr_comparison *c,
                                ovr_arena *arena, ovr_error *err);
 

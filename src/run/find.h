@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Search for the value of a key: shared by the files that check the question
- * (find_question.c) and that solve it. */
+ * (find_question.c, find_names.c) and that solve it. */
 #ifndef OVR_RUN_FIND_H
 #define OVR_RUN_FIND_H
 
@@ -32,6 +32,11 @@ struct ovr_find {
 /* Sets the key of a case to the value x. */
 ovr_status ovr_find_set(const ovr_find *f, ovr_case *c, double x,
                         ovr_error *err);
+
+/* Checks before the first run that the quantity is a number of formulas
+ * (info.exact) or of the runs. If no run can be created, and with a runner of
+ * the caller, the first run decides. */
+ovr_status ovr_find_quantity(ovr_find *f, const char *quantity, ovr_error *err);
 
 /* Checks after the first run that the requested quantity is one of its numbers
  * and is known. */

@@ -138,7 +138,7 @@ static void find_table_close(ovr_find_table *table)
 
 /* ----------------------------------------------------------------- Question */
 
-enum { NAMES = 400, QUESTION_MAX = 1 << 20 };
+enum { QUESTION_MAX = 1 << 20 };
 
 /* --------------------------------------------------------- key and condition
  */
@@ -212,7 +212,7 @@ ovr_status ovr_find_set(const ovr_find *f, ovr_case *c, double x,
         if (strtod(text, NULL) == x)
             break;
     }
-    return ovr_case_set(c, f->info.key, text, "between", err);
+    return ovr_case_set(c, f->info.key, text, f->info.key, err);
 }
 
 static ovr_status try_ends(ovr_find *f, ovr_error *err)
@@ -220,17 +220,23 @@ static ovr_status try_ends(ovr_find *f, ovr_error *err)
     const double ends[] = {f->from, f->to};
     ovr_case *c = ovr_case_apart(f->base, err);
     ovr_status status = c ? OVR_OK : OVR_BAD_INPUT;
-    ovr_case_entry e;
     for (int k = 0; k < 2 && !status; k++)
         status = ovr_find_set(f, c, ends[k], err);
-    if (!status && !f->info.exact &&
-        ovr_case_entry_of(c, "domain.level", strlen("domain.level"), &e) &&
-        e.applies && e.text && !strcmp(e.text, "auto"))
-        status = ovr_fail_about(err, "level",
-                                "level = auto may differ from run to run; "
-                                "set domain.level");
     ovr_case_free(c);
     return status;
+}
+
+/* All runs of a search must have the same level. */
+static ovr_status check_level(const ovr_find *f, ovr_error *err)
+{
+    const char *key = "domain.level";
+    ovr_case_entry e;
+    if (f->info.exact || !ovr_case_entry_of(f->base, key, strlen(key), &e) ||
+        !e.applies || !e.text || strcmp(e.text, "auto") != 0)
+        return OVR_OK;
+    return ovr_fail_about(err, "level",
+                          "level = auto may differ from run to run; set "
+                          "domain.level");
 }
 
 static ovr_status read_condition(ovr_find *f, ovr_error *err)
@@ -257,90 +263,6 @@ static ovr_status read_condition(ovr_find *f, ovr_error *err)
                               "condition '%s' holds in a range",
                               f->info.key, f->how.condition);
     return OVR_OK;
-}
-
-/* --------------------------------------------------------------- quantities */
-
-typedef struct names {
-    const char *name[NAMES];
-    size_t count;
-} names;
-
-static void add_name(names *n, const char *name)
-{
-    if (name && n->count < NAMES)
-        n->name[n->count++] = name;
-}
-
-static void add_line(void *data, const ovr_summary_line *line)
-{
-    add_name(data, line->key);
-}
-
-static bool is_there(const names *n, const char *name)
-{
-    for (size_t k = 0; k < n->count; k++)
-        if (!strcmp(n->name[k], name))
-            return true;
-    return false;
-}
-
-static ovr_status no_quantity(const char *quantity, const names *n,
-                              ovr_error *err)
-{
-    const char *meant = ovr_suggest(quantity, n->name, n->count);
-    if (!meant)
-        return ovr_fail_about(err, "condition",
-                              "%s: is not a result of this "
-                              "run",
-                              quantity);
-    ovr_fail_about(err, "condition",
-                   "%s: is not a result of this run; did you mean %s?",
-                   quantity, meant);
-    return OVR_BAD_INPUT;
-}
-
-/* Finds a quantity among those of formulas or the known results of runs. A
- * similar name is suggested; other names are checked after the first run. */
-static ovr_status find_quantity(ovr_find *f, ovr_error *err)
-{
-    names scales = {.count = 0}, all;
-    const ovr_observable *o;
-    ovr_extreme e;
-    ovr_setup *setup = ovr_case_resolve(f->base, NULL, NULL);
-    if (setup)
-        ovr_setup_scales(setup, add_line, &scales);
-    all = scales;
-    for (size_t k = 0; (o = ovr_observable_at(k)); k++)
-        add_name(&all, o->key), add_name(&all, o->key_si);
-    for (size_t k = 0; ovr_extreme_at(k, &e); k++) {
-        add_name(&all, ovr_arena_text(&f->arena, e.key, NULL));
-        add_name(&all, ovr_arena_text(&f->arena, e.key_si, NULL));
-    }
-    f->info.exact = is_there(&scales, f->info.quantity);
-    ovr_setup_free(setup);
-    if (!is_there(&all, f->info.quantity) &&
-        ovr_suggest(f->info.quantity, all.name, all.count) &&
-        !strchr(f->info.quantity, '_'))
-        return no_quantity(f->info.quantity, &all, err);
-    return OVR_OK;
-}
-
-ovr_status ovr_find_check(ovr_find *f, const ovr_trial *t, ovr_error *err)
-{
-    names n = {.count = 0};
-    bool known;
-    double value = ovr_trial_number(t, f->info.quantity, &known);
-    f->checked = true;
-    if (known && isfinite(value))
-        return OVR_OK;
-    if (known)
-        return ovr_fail_about(err, "condition",
-                              "%s cannot be computed for this case (null)",
-                              f->info.quantity);
-    for (size_t k = 0; k < t->lines; k++)
-        add_name(&n, t->key[k]);
-    return no_quantity(f->info.quantity, &n, err);
 }
 
 /* ---------------------------------------------------------------- creation */
@@ -463,6 +385,7 @@ static ovr_status prepare(ovr_find *f, ovr_case *c,
                           const ovr_find_options *options, ovr_error *err)
 {
     ovr_find_info *i = &f->info;
+    const char *quantity;
     ovr_status status = copy_options(f, options, err);
     *i = (ovr_find_info){.message = f->message};
     i->value = i->at_value = i->low = i->high = NAN;
@@ -475,8 +398,11 @@ static ovr_status prepare(ovr_find *f, ovr_case *c,
     f->base = f->made ? ovr_case_apart(c, err) : NULL;
     if (!f->base)
         return OVR_NO_MEMORY;
-    if (read_ends(f, err) || read_condition(f, err) || find_quantity(f, err) ||
-        try_ends(f, err))
+    if (read_ends(f, err) || try_ends(f, err))
+        return OVR_BAD_INPUT;
+    quantity = ovr_comparison_quantity(f->how.condition, &f->arena, err);
+    if (!quantity || ovr_find_quantity(f, quantity, err) ||
+        read_condition(f, err) || check_level(f, err))
         return OVR_BAD_INPUT;
     if (name_quantity(i, &f->arena, err))
         return OVR_NO_MEMORY;

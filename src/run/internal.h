@@ -42,6 +42,15 @@ struct ovr_run {
 ovr_run *ovr_run_make(const ovr_run_options *options,
                       const ovr_allocator *allocator, ovr_error *err);
 
+/* Creates a run without files that is not executed, for the keys of its
+ * summary; of several passes, the first. */
+ovr_run *ovr_run_unsolved(ovr_case *c, const ovr_run_options *options,
+                          ovr_error *err);
+
+/* Passes the lines of ovr_run_summary for a run that is not solved; their
+ * values have no meaning. */
+void ovr_run_keys(const ovr_run_info *run, ovr_summary_taker *take, void *data);
+
 /* Sets the surface heights supplied by the caller, if any, instead of the
  * features. */
 void ovr_run_surface(const ovr_run *run, ovr_simulation *sim);

@@ -444,6 +444,18 @@ void ovr_run_summary(const ovr_run_info *s, ovr_summary_taker *take, void *data)
         ovr_run_report(s, ovr_put_keyed, &to);
 }
 
+/* A run has its stresses and the numbers of passes only after its solution. */
+void ovr_run_keys(const ovr_run_info *s, ovr_summary_taker *take, void *data)
+{
+    const ovr_report_sink to = {take, data};
+    ovr_run_info info = *s;
+    info.life_together = info.elastic_length = info.elastic_ratio = 0;
+    if (s->setup->passes->number > 1)
+        add_passes(&to, &info);
+    ovr_stress_keys(s->setup, take, data);
+    ovr_run_summary(s, take, data);
+}
+
 /* --------------------------------------------- storage in the result file */
 
 enum { MAX_LINES = 256 };

@@ -50,6 +50,11 @@ void ovr_put_contact(const ovr_report_sink *to, const ovr_contact *contact,
 void ovr_put_rough_film(const ovr_report_sink *to, const ovr_rough_film *film,
                         const ovr_contact *contact);
 
+/* Passes the lines of ovr_stress_summary that a run of this case can have;
+ * their values have no meaning. */
+void ovr_stress_keys(const ovr_setup *setup, ovr_summary_taker *take,
+                     void *data);
+
 /* Text buffer for appending. */
 typedef struct ovr_words {
     char text[400];

@@ -186,6 +186,7 @@ done
 "$OVERROLL" find dent.ini largest contact.M between 20 and 30 \
     so that H_min at least 0 --steady >out 2>err && fail 'steady does not end'
 ! grep "$run_end" err || fail 'a note on a steady contact'
+# (level 12 runs for minutes: refused before anything is solved)
 asks() { # PATTERN QUESTION...
     pattern=$1
     shift
@@ -196,8 +197,20 @@ H='so that H_min_overall'
 {
     asks 'not a result of this run; did you mean H_min_overall' \
         $depth 0.01 and 0.5 so that H_min_overal is 0.05
-    asks 'T_max_rise: is not a result of this run' \
+    asks 'T_max_rise: is not a result of this run; .* needs another section' \
         $depth 0.01 and 0.5 so that T_max_rise is 4
+    asks 'H_minimum: is .* did you mean H_min_overall, or H_min .at the end' \
+        $depth 0.01 and 0.5 so that H_minimum is 0.05 --level 12
+    asks 'hmin: is .* did you mean H_min_overall, or H_min .at the end' \
+        $depth 0.01 and 0.5 so that hmin is 0.3 um --level 12
+    asks 'qqq: is not a result of this run; .overroll run CASE --json' \
+        $depth 0.01 and 0.5 so that qqq is 1 --level 12
+    asks '^feature.dent.dept: unknown key .dept. in .feature.; did you mean' \
+        dent.ini feature.dent.dept between 0.01 and 0.5 $H is 0.05
+    asks 'lambda_ratio_min needs roughness on the grid .*use lambda_ratio' \
+        $depth 0.01 and 0.5 so that lambda_ratio_min is 1 --level 12
+    asks 'lambda_ratio needs the roughness .*contact.Rq_1 and contact.Rq_2' \
+        $depth 0.01 and 0.5 so that lambda_ratio is 1 --level 12
     asks 'largest .*the condition .* must contain at most or at least' \
         dent.ini largest \
         feature.dent.depth between 0.1 and 0.5 $H is 0.05

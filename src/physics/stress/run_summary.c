@@ -114,6 +114,35 @@ static void add_life(const ovr_report_sink *to, const ovr_stress_report *r,
     ovr_put_number(to, "risk_smooth", r->life->smooth_risk);
 }
 
+/* Adds the numbers of both surfaces (NULL: none). */
+static void add_numbers(const ovr_report_sink *to, const ovr_stress_report *a,
+                        const ovr_stress_report *b, const ovr_setup *setup)
+{
+    const ovr_contact *c = setup->contact;
+    const ovr_stress_report *shear = a ? a : b, *circle = shear;
+    if (!shear)
+        return;
+    if (a && b && b->max_shear.value > a->max_shear.value)
+        shear = b;
+    if (a && b && b->R_max > a->R_max)
+        circle = b;
+    add_part(to, OVR_STRESS_BODY, shear, c);
+    add_layers(to, a, b, c);
+    add_yield(to, a, b, c);
+    ovr_put_count(to, "surface_tau_max", shear->surface);
+    add_part(to, OVR_STRESS_CIRCLE, circle, c);
+    ovr_put_number(to, "R_max_Pa", circle->R_max * c->ph);
+    add_resolved(to, "R_max", circle->Z_R_max, circle);
+    ovr_put_number(to, "R_smooth", circle->R_smooth);
+    ovr_put_count(to, "surface_R_max", circle->surface);
+    ovr_put_number(to, "least_depth", circle->least_depth);
+    ovr_put(to, "traction", OVR_SUMMARY_FLAG, circle->traction);
+    ovr_put_count(to, "material_points", (double)circle->material.points);
+    ovr_put_count(to, "material_incomplete", (double)circle->incomplete);
+    if (circle->fatigue)
+        add_life(to, circle, setup);
+}
+
 /* --------------------------------------------------------------- for people */
 
 /* Approximate yield stress of hardened bearing steel, Pa. */
@@ -402,31 +431,18 @@ void ovr_stress_summary(const ovr_stress_report *const report[2],
     if (!report || !setup || !take)
         return;
     const ovr_report_sink to = {take, data};
-    const ovr_contact *c = setup->contact;
-    const ovr_stress_report *a = report[0], *b = report[1];
-    const ovr_stress_report *shear = a ? a : b, *circle = shear;
     for (int k = 0; k < 2; k++)
         if (report[k])
             report_surface(&to, report[k], setup);
-    if (!shear)
-        return;
-    if (a && b && b->max_shear.value > a->max_shear.value)
-        shear = b;
-    if (a && b && b->R_max > a->R_max)
-        circle = b;
-    add_part(&to, OVR_STRESS_BODY, shear, c);
-    add_layers(&to, a, b, c);
-    add_yield(&to, a, b, c);
-    ovr_put_count(&to, "surface_tau_max", shear->surface);
-    add_part(&to, OVR_STRESS_CIRCLE, circle, c);
-    ovr_put_number(&to, "R_max_Pa", circle->R_max * c->ph);
-    add_resolved(&to, "R_max", circle->Z_R_max, circle);
-    ovr_put_number(&to, "R_smooth", circle->R_smooth);
-    ovr_put_count(&to, "surface_R_max", circle->surface);
-    ovr_put_number(&to, "least_depth", circle->least_depth);
-    ovr_put(&to, "traction", OVR_SUMMARY_FLAG, circle->traction);
-    ovr_put_count(&to, "material_points", (double)circle->material.points);
-    ovr_put_count(&to, "material_incomplete", (double)circle->incomplete);
-    if (circle->fatigue)
-        add_life(&to, circle, setup);
+    add_numbers(&to, report[0], report[1], setup);
+}
+
+void ovr_stress_keys(const ovr_setup *setup, ovr_summary_taker *take,
+                     void *data)
+{
+    const ovr_life_result life = {0};
+    const ovr_stress_report report = {.fatigue = true, .life = &life};
+    const ovr_report_sink to = {take, data};
+    if (ovr_setup_stress(setup)->surfaces)
+        add_numbers(&to, &report, NULL, setup);
 }
