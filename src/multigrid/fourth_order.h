@@ -41,7 +41,12 @@
  *     f_i = (rho H^3)_{i+1/2} [r_i - (r_{i-1} - 2 r_i + r_{i+1})/24]/D
  * The second difference is limited to 40 % of r_i, and rho H^3 to within 40 %
  * of the two-node mean.  R is smooth at the flank of a pressure spike, where
- * eps changes by e to e^7 in a mesh size.
+ * eps changes by e to e^7 in a mesh size.  For X < 0 features can cause
+ * such spikes too. There the slope of R has the share min(max(s - 1, 0), 1):
+ *     s = |e_{i-1} - 2 e_i + e_{i+1}| + |e_i - 2 e_{i+1} + e_{i+2}|,
+ *     e = ln eps
+ * Without it narrow dents leave spikes in the film that corrections amplify
+ * from step to step.  In smooth inlets s < 1.
  *
  * Wedge, biased upstream, less the second-order one:
  *     dN -= Cu (3 q_{i+1} + 10 q_i - 18 q_{i-1} + 6 q_{i-2} - q_{i-3})/(12 D)

@@ -156,7 +156,20 @@ static inline vec reduced_flux(const ovr_fourth *c, const ovr_fields *f,
     return (1 / c->D) * cubic * (rise + bend);
 }
 
-/* Fluxes by reduced pressures, downstream of X = 0. */
+/* Share of the reduced pressure in the flux upstream of X = 0: 0 where ln eps
+ * is smooth, 1 where it has spikes. */
+static inline vec reduced_share(const double *log_eps, ptrdiff_t J)
+{
+    const double per_log = 16 * 0x1.62e42fefa39efp-1; /* 16 ln 2 */
+    vec b = at(log_eps, J), c = at(log_eps, J + 1);
+    vec left = at(log_eps, J - 1) - 2 * b + c,
+        right = b - 2 * c + at(log_eps, J + 2);
+    vec bend = per_log * (larger(left, -left) + larger(right, -right));
+    return larger(all(0), smaller(all(1), bend - OVR_REDUCED_FROM));
+}
+
+/* Fluxes by reduced pressures, upstream of X = 0 only where ln eps has spikes.
+ */
 static void reduced_fluxes(const ovr_lanes *g, const ovr_fourth *c,
                            const ovr_fields *f)
 {
@@ -171,9 +184,12 @@ static void reduced_fluxes(const ovr_lanes *g, const ovr_fourth *c,
         ivec i = nodes(g, J), upstream = (i >= c->first) & (i < c->end);
         load_around(f, J + 2, &n, 3);
         vec eps = middle(&table, c->log_eps, f, upstream, J);
+        vec share = choose(upstream, reduced_share(c->log_eps, J), all(1));
+        vec direct = eps * (scale * steepness(f, J));
+        vec reduced = reduced_flux(c, f, &n, J);
         put(c->flux, J,
-            choose(upstream, eps * (scale * steepness(f, J)),
-                   reduced_flux(c, f, &n, J)));
+            choose(share < 1, (1 - share) * direct, all(0)) +
+                choose(share > 0, share * reduced, all(0)));
         for (int k = 0; k < 3; k++) {
             n.cube[k] = n.cube[k + 1];
             n.rho[k] = n.rho[k + 1];

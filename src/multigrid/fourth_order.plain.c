@@ -98,6 +98,16 @@ static double reduced_flux(const ovr_fourth *c, const ovr_fields *f,
            (rise + fmin(fmax(bend, -size), size)) / c->D;
 }
 
+/* Share of the reduced pressure in the flux upstream of X = 0: 0 where ln eps
+ * is smooth, 1 where it has spikes. */
+static double reduced_share(const ovr_fields *f, ptrdiff_t i)
+{
+    double a = log(f->eps[i - 1]), b = log(f->eps[i]), c = log(f->eps[i + 1]),
+           d = log(f->eps[i + 2]);
+    double bend = fabs(a - 2 * b + c) + fabs(b - 2 * c + d);
+    return fmin(fmax(bend - OVR_REDUCED_FROM, 0), 1);
+}
+
 static double flux(const ovr_fourth *c, const ovr_fields *f, ptrdiff_t i)
 {
     const double *P = f->P + i;
@@ -105,9 +115,10 @@ static double flux(const ovr_fourth *c, const ovr_fields *f, ptrdiff_t i)
     bool upstream = i >= c->first && i < c->end;
     if (ovr_flow_is_shear_thinning(c->fluid))
         return thinned(c, f, slope * c->D, i) * slope;
-    if (c->reduced && !upstream)
-        return reduced_flux(c, f, i);
-    return middle(f, i, upstream) * slope;
+    double share = c->reduced ? upstream ? reduced_share(f, i) : 1 : 0,
+           reduced = share > 0 ? reduced_flux(c, f, i) : 0,
+           direct = share < 1 ? middle(f, i, upstream) * slope : 0;
+    return (1 - share) * direct + share * reduced;
 }
 
 /* Left-hand side of the equation of fourth order minus that of second order. */

@@ -98,6 +98,10 @@ typedef struct ovr_fourth {
  * fourth_order.h for constant pressures, eta(3)/(2 pi^3). LINEAR: C for linear
  * pressures, zeta(3)/(4 pi^3). */
 enum { OVR_FOURTH_MARGIN = 8 };
+
+/* Second differences of ln eps above which fluxes upstream of X = 0 change to
+ * the reduced pressure (fourth_order.h). */
+#define OVR_REDUCED_FROM 1.
 #define OVR_FOURTH_LOCAL 0.014538067351
 #define OVR_FOURTH_LINEAR 0.009692044901
 
