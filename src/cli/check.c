@@ -80,6 +80,7 @@ static void print_stations(const ovr_setup *setup)
 {
     ovr_station station[OVR_STATIONS_MAX];
     size_t n = ovr_setup_stations(setup, station);
+    bool still = false, beyond = false;
     if (!n)
         return;
     printf("# %-10s", "position");
@@ -96,11 +97,17 @@ static void print_stations(const ovr_setup *setup)
                 printf(" %10.4g", value);
         }
         putchar('\n');
+        still = still || isnan(slip_of(&station[i]));
+        beyond = beyond || isnan(station[i].minimum);
     }
-    puts("#   SRR: slide-to-roll ratio, w: load per unit width");
+    printf("#   SRR: slide-to-roll ratio%s, w: load per unit width\n",
+           still ? " (-: no entrainment)" : "");
     printf("#   h_min by the film thickness formula (flooded, steady), flash "
            "temperature after Blok at mu = %g\n",
            OVR_STATION_FRICTION);
+    if (beyond)
+        puts("#   h_min -: outside the range of the formula, 2 <= M <= 1000, "
+             "0.3 <= L <= 25, Roelands viscosity");
 }
 
 static void json_stations(json_writer *json, const ovr_setup *setup)

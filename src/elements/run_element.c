@@ -273,6 +273,27 @@ static bool blends(const ovr_gear_form *f, const ovr_gear_geometry *g)
             f->sharing == OVR_SHARING_ELASTIC);
 }
 
+bool ovr_reference_is_scale(const ovr_setup *setup)
+{
+    const ovr_resolved *r = setup->resolved;
+    return r->element.cam && !r->element.stands;
+}
+
+void ovr_report_element(const ovr_report_sink *to, const ovr_setup *setup)
+{
+    const ovr_resolved *r = setup->resolved;
+    const ovr_gear *gear = r->element.gear;
+    if (r->element.stands)
+        return;
+    if (gear || r->element.cam || r->element.bearing)
+        ovr_report_line(to, "reference contact", "%s",
+                        gear             ? "pitch point, total load"
+                        : r->element.cam ? "radius of the nose, largest load "
+                                           "and entrainment speed of the "
+                                           "event; no position has all three"
+                                         : "roller of the largest load");
+}
+
 static void review_blend(const ovr_setup *setup, ovr_listener *say, void *data)
 {
     const ovr_gear *gear = ovr_setup_gear(setup);

@@ -12,6 +12,7 @@
 #include "contact/film_formula.h"
 #include "contact/oil.h"
 #include "contact/starvation.h"
+#include "elements/run_element.h"
 #include "overroll/profile.h"
 #include "overroll/questions.h"
 #include "physics/heat/heat.h"
@@ -450,8 +451,13 @@ static void report_formulas(const ovr_report_sink *to, const ovr_setup *setup)
     report_alpha(to, setup);
     report_lubricant(to, setup->lubricant);
     report_radius(to, setup);
-    report_films(to, setup->contact, !isnan(fit.central));
-    report_fitted(to, setup, fit);
+    ovr_report_element(to, setup);
+    /* Films of a contact that never occurs are not printed. */
+    ovr_report_sink all = *to;
+    const ovr_report_sink keyed = {ovr_put_keyed, &all};
+    const ovr_report_sink *films = ovr_reference_is_scale(setup) ? &keyed : to;
+    report_films(films, setup->contact, !isnan(fit.central));
+    report_fitted(films, setup, fit);
 }
 
 void ovr_setup_scales(const ovr_setup *setup, ovr_summary_taker *take,
