@@ -268,10 +268,16 @@ static void report_rough_film(const ovr_report_sink *to, const ovr_setup *setup,
                         film->why);
         return;
     }
+    double composite = ovr_surfaces_roughness(setup->surfaces);
     ovr_report_line(to, "film thickness roughness Rq",
-                    "%.4g%s; surfaces: %.4g%s", film->film_Rq,
-                    in_metres(film->film_Rq, c->height).text, film->Rq,
-                    in_metres(film->Rq, c->height).text);
+                    "%.4g%s; surfaces: %.4g%s; largest in |X| < %g",
+                    film->film_Rq, in_metres(film->film_Rq, c->height).text,
+                    film->Rq, in_metres(film->Rq, c->height).text,
+                    OVR_ROUGH_WINDOW);
+    if (composite > 0)
+        ovr_report_line(to, "composite Rq of the surfaces",
+                        "%.4g%s, over their whole length", composite,
+                        in_metres(composite, c->height).text);
     if (film->H_min > 0)
         ovr_report_line(to, "minimum film thickness", "%s%s%s",
                         film_text(film->H_min, c).text,

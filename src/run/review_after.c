@@ -132,13 +132,18 @@ static void warn_of_roughness(const ovr_review *r, const ovr_statistics *total)
 {
     double Rq = r->setup->surfaces ? ovr_surfaces_roughness(r->setup->surfaces)
                                    : 0;
+    double height = r->setup->contact->height;
+    ovr_words um = {""};
+    if (isfinite(height))
+        ovr_words_add(&um, " (%s)", ovr_metres(Rq * height).text);
     if (total->extreme.H_min_located < Rq)
         ovr_review_add(r, OVR_MESSAGE_WARNING,
                        "minimum film thickness H = %.3g (X = %.4g, T = %.4g) "
-                       "is below the composite roughness Rq = %.3g; asperities "
-                       "would touch, see [boundary]",
+                       "is below the composite roughness Rq = %.3g b^2/R%s of "
+                       "the whole surfaces; asperities would touch, see "
+                       "[boundary]",
                        total->extreme.H_min_located, total->where.H_min_located,
-                       total->when.H_min_located, Rq);
+                       total->when.H_min_located, Rq, um.text);
 }
 
 /* Warns if the film extends to the outlet boundary, where the pressure is set

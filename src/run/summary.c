@@ -48,7 +48,9 @@ static void report_predicted(const ovr_report_sink *to,
         return;
     ovr_report_number(
         to, "predicted film thickness roughness Rq", 4, film->film_Rq, "%s",
-        ovr_words_unit("b^2/R", "surface Rq %.4g", film->Rq).text);
+        ovr_words_unit("b^2/R", "largest in |X| < %g; surfaces: %.4g b^2/R",
+                       OVR_ROUGH_WINDOW, film->Rq)
+            .text);
     if (film->H_min > 0)
         ovr_report_number(
             to, "predicted minimum film thickness", 4, film->H_min, "%s",

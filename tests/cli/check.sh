@@ -184,6 +184,9 @@ grow = 1
 EOF
 expect 0 "$OVERROLL" check rough.ini
 contains out "^#   film thickness roughness Rq +0\\.00.*; surfaces: 0\\.003"
+contains out '^#   film thickness roughness Rq .* [un]m.; largest in .X. < 0\.75$'
+# 0.005/sqrt(2) of a wave, its mean over windows of 2 b removed
+contains out '^#   composite Rq of the surfaces +0\.00353.* [un]m.*whole length'
 contains out '^#   minimum film thickness +H = 0\.0[0-9]+ \(.* um\)'
 contains out '^# Predicted film of the rough surfaces .amplitude reduction'
 expect 0 "$OVERROLL" check rough.ini --json
@@ -194,7 +197,7 @@ contains out '"not_foreseen": null'
 contains out "\"film_Rq_foreseen\": $foreseen"
 expect 0 "$OVERROLL" run rough.ini
 contains out '^maximum film thickness roughness Rq +0\.00[0-9]+ '
-contains out "^predicted film thickness roughness Rq +0\\.00.*Rq 0\\.003"
+contains out "^predicted film thickness roughness Rq +0\\.00.*: 0\\.003.* b.2/R"
 expect 0 "$OVERROLL" run rough.ini --json
 contains out "\"film_Rq_foreseen\": $foreseen"
 own=$(sed -n 's/.*"film_Rq_max": \(.*\),/\1/p' out)
