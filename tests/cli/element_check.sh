@@ -41,3 +41,8 @@ explained bearing.ini
 sed '/^p0 =/d; /^z =/s/.*/viscosity_law = barus/' bearing.ini >barus.ini
 explained barus.ini
 [ "$unknown" -eq 3 ] && [ $said = yes ] || fail "$unknown unknown, $said"
+
+# The friction coefficients of the report have a sign, and say which.
+expect 0 "$OVERROLL" run gear.ini --set domain.level=5 --set time.end=0.5
+contains out '^mean sliding friction coefficient +-0\.0.*\(sign of u1 - u2\)'
+contains out '^[a-z ]*sliding friction coefficient .* ms; sign of u1 - u2\)'
