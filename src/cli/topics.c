@@ -57,6 +57,7 @@ static const struct {
      "A random study draws keys from probability distributions:\n"
      "    [study]\n    case = dent.ini\n    [random]\n    draws = 64\n"
      "    contact.mean_speed = normal 3 m/s sd 0.3 m/s\n"
+     "    contact.load = normal 300 kN/m sd 10 %\n"
      "    feature.rough.seed = 1..64\n"
      "    [limits]\n    H_min_overall = at least 0.1 um\n"
      "'overroll sweep STUDY.ini' runs the samples; --statistics prints means, "

@@ -180,6 +180,17 @@ static bool read_several(const char *from, const char *end, const char *mark,
     return true;
 }
 
+/* True for "300 kN/m sd 10": the deviation may be meant in percent. */
+static bool lacks_unit(const char *text, const char *unit)
+{
+    const char *sd = strstr(text, " sd "), *within = strstr(text, " within ");
+    amount deviation;
+    return *unit && sd &&
+           read_amount(sd + 4, within ? within : text + strlen(text),
+                       &deviation) &&
+           !*deviation.unit;
+}
+
 static bool read_distribution(const char *text, ovr_distribution *d, char *unit)
 {
     static const struct {
@@ -412,6 +423,10 @@ static ovr_status read_law(ovr_study *s, const ovr_study_chance *c,
                     "followed by 'within A to B', or whole numbers A..B, or "
                     "file NAME",
                     c->text, err);
+    if (lacks_unit(c->text, unit))
+        return ovr_fail_at(err, OVR_BAD_INPUT, s->path, c->line,
+                           "'%.80s': sd needs a unit, such as %s, or %%",
+                           c->text, unit);
     wrong = ovr_distribution_wrong(&draw->distribution);
     if (wrong)
         return ovr_fail_at(err, OVR_BAD_INPUT, s->path, c->line, "'%.80s': %s",

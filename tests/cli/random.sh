@@ -299,6 +299,10 @@ wrong 'given twice' "draws = 16\n$load$load"
 wrong 'given twice' "draws = 16\n${load}[product]\ncontact.load = 1 N/m\n"
 wrong "unknown key 'lod'|did you mean" \
     'draws = 16\ncontact.lod = normal 1 N/m sd 1 %\n'
+wrong "wrong.ini:5: '.* sd 10': sd needs a unit, such as kN/m, or %" \
+    'draws = 16\ncontact.load = normal 300 kN/m sd 10\n'
+wrong 'sd 10 within 280 to 320.: sd needs a unit, such as kN/m, or %' \
+    'draws = 16\ncontact.load = normal 300 kN/m sd 10 within 280 to 320\n'
 wrong 'shape' 'draws = 16\nfeature.a.shape = normal 1 sd 2\n'
 wrong "has no column 'w'" \
     'draws = 16\n[random file measured.csv]\ncontact.load = column w\n'
