@@ -292,6 +292,11 @@ void ovr_report_element(const ovr_report_sink *to, const ovr_setup *setup)
                                            "and entrainment speed of the "
                                            "event; no position has all three"
                                          : "roller of the largest load");
+    if (gear && blends(ovr_gear_form_of(gear), ovr_gear_of(gear)))
+        ovr_report_line(to, "load at B and D",
+                        "half-way through its change, which takes %.3g base "
+                        "pitches (gear.blend)",
+                        ovr_gear_form_of(gear)->blend);
 }
 
 static void review_blend(const ovr_setup *setup, ovr_listener *say, void *data)

@@ -8,8 +8,8 @@
 
 struct ovr_report_sink;
 
-/* Prints what the reference contact of the element is, unless one position is
- * solved. */
+/* Prints what the reference contact of the element is, and that the load shares
+ * of gears are blended, unless one position is solved. */
 void ovr_report_element(const struct ovr_report_sink *to,
                         const ovr_setup *setup);
 

@@ -19,6 +19,18 @@ expect 0 "$OVERROLL" check gear.ini
 contains out 'reference contact  *pitch point'
 contains out '^# Predicted film thickness'
 contains out '^#   minimum film thickness, overroll fit '
+contains out 'load at B and D .* 0\.05 base pitches .gear\.blend.$'
+# Half-way from two thirds of the load, by the rule, to all of it.
+expect 0 "$OVERROLL" check gear.ini --json --set gear.sharing=rule
+load() { # POSITION
+    sed -n "/\"name\": \"$1\"/,/load_N/s/.*load_N_per_m\": *\(.*\),/\1/p" out
+}
+for at in B D; do
+    awk -v half="$(load $at)" -v all="$(load C)" 'BEGIN {
+        exit !((half / all - 5 / 6) ^ 2 < 1e-12) }' || fail "load at $at"
+done
+expect 0 "$OVERROLL" check gear.ini --set 'gear.helix_angle=15 deg'
+! grep -q 'load at B and D' out || fail 'helical teeth have no blend'
 expect 0 "$OVERROLL" check bearing.ini
 contains out 'reference contact  *roller of the largest load'
 contains out '^# Predicted film thickness'
