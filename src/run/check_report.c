@@ -270,7 +270,7 @@ static void report_rough_film(const ovr_report_sink *to, const ovr_setup *setup,
     }
     double composite = ovr_surfaces_roughness(setup->surfaces);
     ovr_report_line(to, "film thickness roughness Rq",
-                    "%.4g%s; surfaces: %.4g%s; largest in |X| < %g",
+                    "%.4g%s; surfaces: %.4g%s, largest in |X| < %g",
                     film->film_Rq, in_metres(film->film_Rq, c->height).text,
                     film->Rq, in_metres(film->Rq, c->height).text,
                     OVR_ROUGH_WINDOW);
