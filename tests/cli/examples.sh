@@ -16,8 +16,9 @@ done
 [ -z "$INSTRUMENTED" ] || exit 0 # what they run is tested by itself
 command -v gnuplot >/dev/null || exit 0
 for name in film-chart heat liner coating scuffing; do
-    expect 0 env EXAMPLES="$PWD/made" OVERROLL="$OVERROLL" \
+    expect 0 env LC_ALL=C EXAMPLES="$PWD/made" OVERROLL="$OVERROLL" \
         "$TOP/tools/examples/$name"
+    ! grep iconv err || fail "gnuplot warns of the locale in $name"
     [ "$(head -c 4 "made/$name.png" | tail -c 3)" = PNG ] ||
         fail "$name makes no picture: $(cat err)"
 done

@@ -49,6 +49,6 @@ set lmargin 11
 set key noautotitle samplen 2 tmargin center horizontal
 END
         cat
-    } | gnuplot
+    } | LC_ALL=C.UTF-8 gnuplot # in C it warns of the degree sign
     echo "$out/$name.png"
 }
