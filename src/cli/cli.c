@@ -11,7 +11,10 @@
 #include <unistd.h>
 
 static const cli_option common[] = {
-    {"q", NULL, "print no messages except errors (--quiet)", false},
+    {"q", NULL,
+     "print errors only: no messages, no progress, no report of a run "
+     "(--quiet)",
+     false},
     {"v", NULL, "print more (--verbose)", false},
     {"json", NULL, "results as one JSON object", false},
     {"help", NULL, "print this help (-h)", false},

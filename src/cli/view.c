@@ -35,18 +35,27 @@ static char *content(const char *path)
     return text;
 }
 
-/* Returns the program's page from the build folder or the installed one. */
-static char *template(void)
+/* Places of the program's page relative to the program: in the build folder,
+ * and installed. */
+static const char *const places[] = {"web/overroll.html",
+                                     "../share/overroll/overroll.html"};
+
+/* Writes the folder of the program with a slash at the end; false if it is not
+ * known. */
+static bool find_folder(char self[4000])
 {
-    static const char *const places[] = {"web/overroll.html",
-                                         "../share/overroll/overroll.html"};
-    char self[4000], path[4100];
-    ssize_t n = readlink("/proc/self/exe", self, sizeof self - 1);
+    ssize_t n = readlink("/proc/self/exe", self, 3999);
+    self[n > 0 ? n : 0] = '\0';
+    if (n > 0)
+        *(strrchr(self, '/') + 1) = '\0';
+    return n > 0;
+}
+
+/* Returns the program's page from the build folder or the installed one. */
+static char *template(const char *self)
+{
+    char path[4100];
     char *text = NULL;
-    if (n <= 0)
-        return NULL;
-    self[n] = '\0';
-    *(strrchr(self, '/') + 1) = '\0';
     for (size_t k = 0; k < 2 && !text; k++) {
         snprintf(path, sizeof path, "%s%s", self, places[k]);
         text = content(path);
@@ -92,12 +101,16 @@ static bool write_page(const char *path, const char *program, const char *at,
 static int make_live(const cli_call *call, const char *path,
                      const char *case_text)
 {
-    char *program = template();
+    char self[4000];
+    char *program = find_folder(self) ? template(self) : NULL;
     const char *at = program ? strstr(program, MARK) : NULL;
     char *player = content(path);
     int code = CLI_DONE;
     if (!at) {
-        code = cli_usage(call, "--live needs the page that make web builds");
+        code = cli_usage(call,
+                         "--live needs %s%s or %s%s: run make web; for an "
+                         "installed program, then make install again",
+                         self, places[0], self, places[1]);
         unlink(path);
     } else if (!player || !write_page(path, program, at, case_text, player)) {
         fprintf(stderr, "overroll: cannot write %s (%s)\n", path,

@@ -22,3 +22,21 @@ for verb in export plot frames view init help; do
 done
 expect 0 "$OVERROLL" steady --help
 contains out '^  --json  '
+
+# -q drops the report, as the help states; with --json it is printed.
+expect 0 "$OVERROLL" steady --M 20 --L 10 --level 5 -q
+[ ! -s out ] && [ ! -s err ] || fail "not quiet: $(cat out err)"
+expect 0 "$OVERROLL" steady --M 20 --L 10 --level 5 -q --json
+[ -n "$(number H_min)" ] || fail "no JSON: $(cat out)"
+expect 0 "$OVERROLL" steady --help
+contains out '^  -q .* no report of a run'
+
+# Without the page of make web --live names the files that it looked for.
+mkdir -p tree/bin
+cp "$OVERROLL" tree/bin/overroll
+dent_case 4 0.2 0.1 0.5 -1 >dent.ini
+expect 0 "$OVERROLL" run dent.ini -o dent.h5 -q
+expect 2 tree/bin/overroll view dent.h5 --live -o dent.html
+contains err '/tree/bin/web/overroll\.html or /.*/share/overroll/over.*: '
+contains err 'run make web; .* then make install again$'
+[ ! -e dent.html ] || fail 'a page without the program'
