@@ -196,19 +196,28 @@ bool cli_has_result(const ovr_run *run, ovr_status status)
            status == OVR_NOT_CONVERGED || status == OVR_IMPOSSIBLE;
 }
 
+/* Prints where a signal stopped the run, and how to continue it. */
+static void report_signal(const ovr_run *run)
+{
+    const ovr_run_info *info = ovr_run_get_info(run);
+    const char *file = info->passes ? info->passes_file : info->output;
+    fprintf(stderr, "overroll: stopped by signal %d ", cli_signal());
+    if (has_begun(run))
+        fprintf(stderr, "at T = %g", ovr_simulation_state(info->sim)->T);
+    else
+        fprintf(stderr, "in the steady start");
+    if (file && info->transient && access(file, F_OK) == 0)
+        fprintf(stderr, "; 'overroll resume %s' continues the run", file);
+    fputc('\n', stderr);
+}
+
 int cli_run_code(const cli_call *call, const ovr_run *run, ovr_status status,
                  const ovr_error *err)
 {
     const ovr_run_info *info = ovr_run_get_info(run);
     if (status == OVR_STOPPED && cli_signal()) {
-        if (call->verbosity >= 0 && !has_begun(run))
-            fprintf(stderr,
-                    "overroll: stopped by signal %d in the steady "
-                    "start\n",
-                    cli_signal());
-        else if (call->verbosity >= 0)
-            fprintf(stderr, "overroll: stopped by signal %d at T = %g\n",
-                    cli_signal(), ovr_simulation_state(info->sim)->T);
+        if (call->verbosity >= 0)
+            report_signal(run);
         return CLI_SIGNAL + cli_signal();
     }
     if (status)

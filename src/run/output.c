@@ -20,6 +20,7 @@
 #include "results/writer.h"
 #include "run/cost.h"
 #include "run/internal.h"
+#include "run/pass_series.h"
 #include "run/run.h"
 #include "surface/surfaces.h"
 
@@ -93,6 +94,29 @@ static const char *foreign_ending(const char *path)
     return NULL;
 }
 
+/* True for the file of a run that is not finished, or of its passes. */
+static bool is_unfinished(const char *path)
+{
+    if (ovr_passes_file_is(path))
+        return !ovr_passes_file_complete(path);
+    ovr_result *result = ovr_result_open(path, NULL, NULL);
+    const char *status = result ? ovr_result_get_info(result)->status : "";
+    bool unfinished = !strcmp(status, "running") || !strcmp(status, "stopped");
+    ovr_result_close(result);
+    return unfinished;
+}
+
+static ovr_status fail_existing(const char *path, ovr_error *err)
+{
+    if (is_unfinished(path))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: exists already and is not finished; 'overroll "
+                        "resume %s' continues it, --force replaces it",
+                        path, path);
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "%s: exists already; --force replaces it", path);
+}
+
 ovr_status ovr_output_check(const char *path, const ovr_case *c, bool force,
                             ovr_error *err)
 {
@@ -108,8 +132,7 @@ ovr_status ovr_output_check(const char *path, const ovr_case *c, bool force,
                         "NAME.h5 or NAME.nc",
                         path, foreign_ending(path));
     if (access(path, F_OK) == 0 && !force)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: exists already; --force replaces it", path);
+        return fail_existing(path, err);
     if (access(folder, W_OK | X_OK) != 0)
         return ovr_fail(err, OVR_BAD_INPUT, "%s: cannot be written: %s: %s",
                         path, folder, strerror(errno));

@@ -67,9 +67,30 @@ for signal in INT TERM; do
     TERM) wanted=143 ;;
     esac
     [ "$code" -eq "$wanted" ] || fail "SIG$signal: exit code $code: $(cat err)"
+    contains err "stopped by signal .*; 'overroll resume c.h5' continues the run"
     expect 0 "$OVERROLL" info c.h5
     contains out 'stopped'
+    refuses "^c.h5: exists already and is not .*'overroll resume c.h5' continues" \
+        run dent.ini -o c.h5
 done
+# resume does continue it, without a change and to a nearer end
+at=$("$OVERROLL" info c.h5 --json | sed -n 's/^  "T": \(.*\),/\1/p')
+expect 0 "$OVERROLL" resume c.h5 --set "time.end=$(
+    awk -v at="$at" 'BEGIN { print at + 0.1 }')"
+contains err 'continuing from T'
+refuses '^c.h5: exists already; --force' run dent.ini -o c.h5
+# without a file there is nothing to resume
+"$OVERROLL" run dent.ini --level 7 --set time.end=1000 -v >out 2>err &
+pid=$!
+tries=0
+until grep -q '%' err; do
+    tries=$((tries + 1))
+    [ $tries -lt 2000 ] || fail 'no progress'
+    sleep 0.01
+done
+kill -s TERM $pid
+wait $pid
+contains err 'stopped by signal 15 at T = [0-9.]*$'
 
 # The same run a level coarser tells the error
 cat >estimate.ini <<'E'
