@@ -12,6 +12,7 @@
 #include "contact/curvature.h"
 #include "contact/starvation.h"
 #include "elements/run_element.h"
+#include "physics/stress/stress.h"
 #include "physics/supply/supply.h"
 #include "run/internal.h"
 #include "run/review.h"
@@ -526,4 +527,8 @@ void ovr_run_review_before(ovr_run *run)
     ovr_review r = {run->c, run->setup, ovr_run_message, run};
     note_assumptions(&r);
     before(&r, run->info.transient);
+    if (run->how.steady && ovr_setup_stress(run->setup)->surfaces)
+        ovr_review_add(&r, OVR_MESSAGE_NOTE,
+                       "[stress] is ignored by a steady solution; 'overroll "
+                       "run' prints the stresses");
 }
