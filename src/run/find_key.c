@@ -215,23 +215,47 @@ static const char *first_failure(const ovr_find *f)
     return "";
 }
 
+/* Writes what to change if the target is beyond the values of a monotonic
+ * quantity. A range that would have to be several times as long is not
+ * proposed. */
+static void write_remedy(const ovr_find *f, const ovr_search_result *r,
+                         char *to, size_t size)
+{
+    const ovr_find_info *i = &f->info;
+    const bool above = i->target > r->maximum, up = above == r->rises;
+    const double gap = above ? i->target - r->maximum : r->minimum - i->target;
+    *to = '\0';
+    if (!r->monotone || !(gap > 0))
+        return;
+    if (gap > 3 * (r->maximum - r->minimum))
+        snprintf(to, size,
+                 "; it hardly changes with %s: change the limit or vary "
+                 "another key",
+                 i->key);
+    else
+        snprintf(to, size,
+                 "; it %s with %s: extend the range %s %g%s, or change the "
+                 "limit",
+                 r->rises ? "rises" : "falls", i->key, up ? "above" : "below",
+                 up ? r->to : r->from, f->suffix);
+}
+
 static ovr_status fail_missed(const ovr_find *f, const ovr_search_result *r,
                               ovr_error *err)
 {
     const ovr_find_info *i = &f->info;
-    bool above = i->target > r->maximum, up = above == r->rises;
+    const double first = quantity_at(f, r->from), last = quantity_at(f, r->to);
     const char *failure = first_failure(f);
-    char beyond[200] = "";
-    if (r->monotone && (above || i->target < r->minimum))
-        snprintf(beyond, sizeof beyond,
-                 "; it %s with %s: extend the range %s %g%s",
-                 r->rises ? "rises" : "falls", i->key, up ? "above" : "below",
-                 up ? r->to : r->from, f->suffix);
+    char remedy[300], between[80] = "";
+    write_remedy(f, r, remedy, sizeof remedy);
+    if (!r->monotone)
+        snprintf(between, sizeof between, ", %.6g to %.6g between them",
+                 r->minimum, r->maximum);
     return ovr_fail(err, OVR_BAD_INPUT,
-                    "%s is %.6g to %.6g between %g and %g%s and does not "
+                    "%s is %.6g at %g%s and %.6g at %g%s%s; it does not "
                     "reach %.6g%s%s%.300s",
-                    i->quantity, r->minimum, r->maximum, r->from, r->to,
-                    f->suffix, i->target, beyond,
+                    i->quantity, first, r->from, f->suffix, last, r->to,
+                    f->suffix, between, i->target, remedy,
                     *failure ? "; the first run that failed: " : "", failure);
 }
 

@@ -163,10 +163,19 @@ refuses 'kept.d: contains results of another question' \
 depth='dent.ini feature.dent.depth between'
 # shellcheck disable=SC2086
 expect 2 "$OVERROLL" find $depth 0.01 and 0.05 so that H_min_overall is 0.05
-contains err 'not reach 0.05; it falls with .*: extend the range above 0.05'
+contains err 'not reach 0.05; it falls with .*: extend the range above 0.05,'
+contains err ', or change the limit'
+# both values at the ends are those of runs
+for depth_at in 0.01 0.05; do
+    H=$(H_min_at $depth_at 2>/dev/null)
+    contains err "$(printf '%.6g at %s' "$H" $depth_at)"
+done
+# a quantity far from the target
+expect 2 "$OVERROLL" find $depth 0.01 and 0.02 so that H_min_overall is 2
+contains err 'reach 2; it hardly changes with .*: change the limit or vary'
 # shellcheck disable=SC2086
 expect 2 "$OVERROLL" find $depth 0.2 and 0.5 so that H_min_overall is 0.05
-contains err 'extend the range below 0.2'
+contains err 'extend the range below 0.2, or change the limit'
 # shellcheck disable=SC2086
 expect 2 "$OVERROLL" find dent.ini largest feature.dent.depth between 0.01 \
     and 0.05 so that H_min_overall at least 0.05
@@ -235,7 +244,7 @@ H='so that H_min_overall'
 # a number below zero is no option
 expect 2 "$OVERROLL" find dent.ini contact.slide_to_roll between -0.5 and 0.5 \
     so that H_min is 9 --steady
-contains err 'does not reach 9;'
+contains err '; it does not reach 9'
 
 # In a study: a curve; the table has a column of the key's name; a case that
 # was stopped is resumed from its evaluations
