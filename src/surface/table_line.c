@@ -380,12 +380,37 @@ static bool split_as(const ovr_header *header, ovr_line line, char separator,
     return false;
 }
 
+static size_t count_quotes(ovr_line line)
+{
+    size_t count = 0;
+    for (size_t k = 0; k < line.size; k++)
+        count += line.text[k] == '"';
+    return count;
+}
+
+/* Removes characters that begin a comment, and the quotation marks around a
+ * whole line, but not those around its first field. */
+static ovr_line uncommented(ovr_line line)
+{
+    line = ovr_trim(line);
+    while (line.size && line.text[0] && strchr("#%\"*", line.text[0])) {
+        const size_t quotes = *line.text == '"' ? count_quotes(line) : 1;
+        const ovr_line inside = unquoted(line);
+        if (quotes == 2 && inside.size < line.size)
+            line = inside;
+        else if (quotes % 2 == 0)
+            break;
+        else
+            line = ovr_trim(
+                (ovr_line){line.text + 1, line.size - 1, line.number});
+    }
+    return line;
+}
+
 void ovr_header_line(ovr_header *header, ovr_line line, char separator)
 {
     ovr_fields fields;
-    line = ovr_trim(line);
-    while (line.size && line.text[0] && strchr("#%\"*", line.text[0]))
-        line = ovr_trim((ovr_line){line.text + 1, line.size - 1, line.number});
+    line = uncommented(line);
     if (!line.size)
         return;
     if (read_map_size(header, line) || header->columns > OVR_HEADER_FIELDS_MAX)

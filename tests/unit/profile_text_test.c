@@ -98,6 +98,25 @@ TEST_WITH(headers_may_be_narrower_or_wider, begin, end)
     }
 }
 
+/* Quotation marks around names are no part of them; around a comma they keep a
+ * name together. */
+TEST_WITH(names_may_be_quoted, begin, end)
+{
+    static const char *const texts[] = {
+        "\"X (um)\",\"Z (um)\"\n0,1\n2,3\n", "\"X (um)\",Z (um)\n0,1\n2,3\n",
+        "X (um),\"Z (um)\"\n0,1\n2,3\n", "# \"X (um)\";\"Z (um)\"\n0;1\n2;3\n",
+        "\"file, of today\"\n\"X (um)\",\"Z (um)\"\n0,1\n2,3\n"};
+    for (size_t k = 0; k < sizeof texts / sizeof texts[0]; k++) {
+        read_text(texts[k]);
+        check_point(1, 2e-6, 3e-6);
+        check_note("x in um (header: \"X (um)\")");
+        check_note("z in um (header: \"Z (um)\")");
+    }
+    read_text("\"X, along (um)\",\"Z (um)\"\n0,1\n2,3\n");
+    check_point(1, 2e-6, 3e-6);
+    check_note("x in um (header: \"X, along (um)\")");
+}
+
 /* Each text, and all parts of the one message about it. */
 TEST_WITH(all_missing_keys_are_in_one_message, begin, end)
 {
