@@ -99,3 +99,11 @@ for kind in roller coated starved discs hot numbers gear; do
         fail "init $kind warns"
     fi
 done
+
+# overroll(1) lists every kind of the help
+"$OVERROLL" init --help | sed -n '/^Kinds/,/^--set/s/^  \([a-z]*\) .*/\1/p' >kinds
+[ "$(wc -l <kinds)" -ge 11 ] || fail "kinds: $(cat kinds)"
+sed -n '/^.BI "init "/,/oil chosen/p' "$TOP/src/cli/overroll.1" >page
+while read -r kind; do
+    grep -Eq "^\.(B|BR) $kind( |\$)" page || fail "overroll(1) lacks $kind"
+done <kinds
