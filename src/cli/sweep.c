@@ -398,6 +398,10 @@ static int finish(sweeping *w)
         report_json(w, &totals);
     else if (w->call->verbosity >= 0)
         report_table(w, &totals);
+    if (cli_value(w->call, "collect") && w->call->verbosity >= 0)
+        fprintf(stderr, "%s: written, %zu of %zu cases finished\n",
+                cli_value(w->call, "collect"), totals.count[OVR_SWEEP_FINISHED],
+                ovr_study_cases(w->s));
     if (ovr_study_random(w->s) && totals.count[OVR_SWEEP_FINISHED] &&
         !w->call->json && report_sample(w, NULL))
         return CLI_FAILED;

@@ -56,6 +56,7 @@ done
 contains study/manifest.csv '^task,name,seed,scheme,M,L,status,output,summary,'
 contains study/manifest.csv '^8,seed=2_s.*=10,2,upstream2,20,10,finished,.*h5,'
 expect 0 "$OVERROLL" sweep study.ini --collect one.csv -q
+[ ! -s err ] || fail "-q: $(cat err)"
 contains one.csv '^1,[^,]*,1,upstream1,10,5,finished,1,'
 
 # The table is made from the result files, not from the JSON; cases whose files
@@ -180,6 +181,7 @@ refuses 'cannot be written' sweep study.ini -o /nonexistent/x
 
 # netCDF-4
 expect 0 "$OVERROLL" sweep study.ini --collect all.nc
+contains err '^all.nc: written, 12 of 12 cases finished'
 need ncdump
 expect 0 ncdump -v seed,M,scheme,H_min all.nc
 contains out 'case = 12'
