@@ -190,16 +190,19 @@ static double contact_load(const ovr_resolved *r, double R)
            given->modulus;
 }
 
+/* Rejects a load of [contact]. `keys_of_load` are the keys of the machine
+ * element `by` that determine the load. */
 static ovr_status check_loaded_twice(const ovr_resolved *r, const char *by,
-                                     ovr_error *err)
+                                     const char *keys_of_load, ovr_error *err)
 {
     static const char *const keys[] = {"load", "hertz_pressure"};
     for (int k = 0; k < 2; k++) {
         const ovr_slot *slot = ovr_slot_of(r, "contact", keys[k]);
         if (slot->given)
             return ovr_fail_slot(err, slot,
-                                 "already determined by [%s]; remove %s", by,
-                                 keys[k]);
+                                 "already determined by [%s]; remove %s and "
+                                 "change %s instead",
+                                 by, keys[k], keys_of_load);
     }
     return OVR_OK;
 }
@@ -350,7 +353,8 @@ static ovr_status resolve_gear(ovr_resolved *r, const ovr_block *block,
         form->share = table.y;
     }
     if (!status && (!isnan(form->torque) || !isnan(e->power)))
-        status = check_loaded_twice(r, "gear", err);
+        status = check_loaded_twice(r, "gear", "gear.torque or gear.power",
+                                    err);
     if (!isnan(e->power))
         form->torque = e->power / fabs(form->speed);
     if (!status && isnan(form->torque))
@@ -416,7 +420,8 @@ static ovr_status resolve_cam(ovr_resolved *r, const ovr_block *block,
 {
     ovr_element_settings *e = &r->values.element;
     ovr_error why = {0};
-    ovr_status status = check_loaded_twice(r, "cam", err);
+    ovr_status status = check_loaded_twice(
+        r, "cam", "cam.spring, cam.preload or cam.mass", err);
     if (!status && e->cam.law == OVR_CAM_TABLE) {
         ovr_two_columns table = {.name = {"angle", "lift"},
                                  .minimum = -1e6,
@@ -461,7 +466,7 @@ static ovr_status resolve_bearing(ovr_resolved *r, const ovr_block *block,
                                   ovr_error *err)
 {
     ovr_error why = {0};
-    if (check_loaded_twice(r, "roller_bearing", err))
+    if (check_loaded_twice(r, "roller_bearing", "roller_bearing.load", err))
         return OVR_BAD_INPUT;
     r->element.bearing = ovr_bearing_create(&r->values.element.bearing, NULL,
                                             &why);

@@ -128,7 +128,8 @@ for key in 'radius=8 mm' 'mean_speed=2 m/s' 'speed_1=2 m/s' 'speed_2=2 m/s' \
 done
 for kind in gear cam; do
     no $kind 'already determined by .*; remove radius' 'body 1.radius=8 mm'
-    no $kind "already determined by .*; remove load" 'contact.load=100 kN/m'
+    no $kind "already determined by .*; remove load and change $kind\\." \
+        'contact.load=100 kN/m'
     for of in load speed sliding radius radius_1; do
         no $kind "determines the time history of $of; remove \\[$of\\]" \
             "$of.history=sine" "$of.amplitude=0.1"
