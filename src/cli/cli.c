@@ -7,6 +7,7 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -193,6 +194,10 @@ static int unknown_option(const cli_call *call, const char *given,
         names[n++] = o->name;
     for (o = common; o->name; o++)
         names[n++] = o->name;
+    for (size_t k = 0; k < n; k++)
+        if (!strcasecmp(name, names[k]))
+            return cli_usage(call, "unknown option '%s'; did you mean '--%s'?",
+                             given, names[k]);
     meant = ovr_suggest(name, names, n);
     if (meant && strlen(meant) > 1)
         return cli_usage(call, "unknown option '%s'; did you mean '--%s'?",

@@ -40,3 +40,7 @@ expect 2 tree/bin/overroll view dent.h5 --live -o dent.html
 contains err '/tree/bin/web/overroll\.html or /.*/share/overroll/over.*: '
 contains err 'run make web; .* then make install again$'
 [ ! -e dent.html ] || fail 'a page without the program'
+
+# An option of one letter in the other case
+refuses "unknown option '--m'; did you mean '--M'" steady --m 20 --L 10
+refuses "unknown option '--l'; did you mean '--L'" steady --M 20 --l 10
