@@ -101,9 +101,11 @@ for kind in roller coated starved discs hot numbers gear; do
 done
 
 # overroll(1) lists every kind of the help
-"$OVERROLL" init --help | sed -n '/^Kinds/,/^--set/s/^  \([a-z]*\) .*/\1/p' >kinds
+"$OVERROLL" init --help |
+    sed -n '/^Kinds/,/^--set/s/^  \([a-z]*\) .*/\1/p' >kinds
 [ "$(wc -l <kinds)" -ge 11 ] || fail "kinds: $(cat kinds)"
-sed -n '/^.BI "init "/,/oil chosen/p' "$TOP/src/cli/overroll.1" >page
+sed -n '/^.BI "init "/,/^.TP/p' "$TOP/src/cli/overroll.1" >page
 while read -r kind; do
-    grep -Eq "^\.(B|BR) $kind( |\$)" page || fail "overroll(1) lacks $kind"
+    grep -Eq "^\.(B|BR) $kind( |\$)" page ||
+        fail "overroll(1) lacks $kind"
 done <kinds

@@ -176,10 +176,12 @@ contains out '^#   lambda ratio +[0-9.]+ .predicted minimum film thickness'
 refuses 'Rq_1: ' check --M 20 --L 10 --set contact.Rq_1=30nm
 
 # Stresses are printed by run only; steady names the section that it ignores
-printf '[contact]\nM = 20\nL = 10\n[domain]\nlevel = 5\n[stress]\nsurface = 1\n' \
-    >stress.ini
+{
+    printf '[contact]\nM = 20\nL = 10\n[domain]\nlevel = 5\n'
+    printf '[stress]\nsurface = 1\n'
+} >stress.ini
 expect 0 "$OVERROLL" steady stress.ini
-contains err '^overroll: \[stress\] is ignored by a steady .*; .overroll run. prints'
+contains err '^overroll: \[stress\] is ignored by .*; .overroll run. prints'
 ! grep '^Stresses' out || fail 'steady prints stresses: the note is wrong'
 expect 0 "$OVERROLL" run stress.ini
 contains out '^Stresses below surface 1'
