@@ -364,6 +364,8 @@ static void begin_step(ovr_simulation *sim, double dT)
     ovr_simulation_gap(sim, T);
     sim->finest->force = OVR_NOMINAL_LOAD *
                          ovr_history_value(sim->histories.load, T);
+    /* not part of checkpoints: a resumed run has none from the last cycle */
+    sim->grids.fluid.secants = false;
 }
 
 /* Rotates `count` stored arrays: the oldest becomes the newest, with these
