@@ -349,7 +349,10 @@ static bool try_once(ovr_simulation *sim, double dT, const attempt *how,
     touch->at = NULL;
     bool solved = try_with(sim, dT, how, outcome);
     touch->at = law.at;
-    return solved && are_apart(sim);
+    if (are_apart(sim))
+        return solved;
+    outcome->defect.imbalance = INFINITY; /* of a film that asperities lift */
+    return false;
 }
 
 static void begin_step(ovr_simulation *sim, double dT)

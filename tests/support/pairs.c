@@ -432,7 +432,7 @@ static const char *own_refusal(const struct contact *element,
         w->part == OVR_MODEL_RADIUS)
         return "] already determines the time ";
     if (!strcmp(element->name, "cam") && w->part == OVR_MODEL_STRESS)
-        return "surface 2 stands still"; /* ways has stresses in both */
+        return "surface 2 does not move"; /* ways has stresses in both */
     return NULL;
 }
 
