@@ -367,7 +367,7 @@ static void begin_step(ovr_simulation *sim, double dT)
     ovr_simulation_gap(sim, T);
     sim->finest->force = OVR_NOMINAL_LOAD *
                          ovr_history_value(sim->histories.load, T);
-    /* not part of checkpoints: a resumed run has none from the last cycle */
+    /* Not part of checkpoints: a resumed run has none from the last cycle. */
     sim->grids.fluid.secants = false;
 }
 

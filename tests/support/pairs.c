@@ -305,6 +305,11 @@ static const ovr_conflict *refused(const struct way *a, const struct way *b)
     size_t n = 2;
     if (in_time(a) && in_time(b))
         n = 3;
+    /* Strips first refuse the stresses that fatigue requires. */
+    if (b->part == OVR_MODEL_STRIP && a->part == OVR_MODEL_FATIGUE)
+        parts[0] = OVR_MODEL_STRESS;
+    if (a->part == OVR_MODEL_STRIP && b->part == OVR_MODEL_FATIGUE)
+        parts[1] = OVR_MODEL_STRESS;
     for (size_t i = 0; i < n; i++)
         for (size_t j = 0; j < i; j++)
             if (together(parts[i], parts[j]))
