@@ -447,15 +447,15 @@ void ovr_run_summary(const ovr_run_info *s, ovr_summary_taker *take, void *data)
 }
 
 /* A run has its stresses and the numbers of passes only after its solution. */
-void ovr_run_keys(const ovr_run_info *s, ovr_summary_taker *take, void *data)
+void ovr_run_keys(const ovr_run_info *run, ovr_summary_taker *take, void *data)
 {
     const ovr_report_sink to = {take, data};
-    ovr_run_info info = *s;
+    ovr_run_info info = *run;
     info.life_together = info.elastic_length = info.elastic_ratio = 0;
-    if (s->setup->passes->number > 1)
+    if (run->setup->passes->number > 1)
         add_passes(&to, &info);
-    ovr_stress_keys(s->setup, take, data);
-    ovr_run_summary(s, take, data);
+    ovr_stress_keys(run->setup, take, data);
+    ovr_run_summary(run, take, data);
 }
 
 /* --------------------------------------------- storage in the result file */
