@@ -64,7 +64,7 @@ def test_find_of_runs_is_that_of_the_program(passed, program):
 def test_find_says_what_is_wrong(passed):
     dent = passed
     how = dict(between=(0.01, 0.02), quantity="H_min_overall")
-    with pytest.raises(ovr.BadInput, match="0.0696.* at 0.02; it does not "
+    with pytest.raises(ovr.BadInput, match="0.0695.* at 0.02; it does not "
                                            "reach 0.05"):
         ovr.find(dent, "feature.dent.depth", equals=0.05, **how)
     with pytest.raises(ovr.BadInput, match="one of equals"):
