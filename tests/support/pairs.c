@@ -297,6 +297,14 @@ static const ovr_conflict *together(ovr_model_feature a, ovr_model_feature b)
                               ovr_model_feature_bit(b, true));
 }
 
+/* Strips first refuse the feature that this one requires. */
+static ovr_model_feature refused_first(const struct way *w)
+{
+    if (w->part == OVR_MODEL_FATIGUE || w->part == OVR_MODEL_PLASTIC)
+        return OVR_MODEL_STRESS;
+    return w->part == OVR_MODEL_OTHER_MODULI ? OVR_MODEL_COATING : w->part;
+}
+
 /* Returns the reason why two features cannot be combined; NULL: they can. */
 static const ovr_conflict *refused(const struct way *a, const struct way *b)
 {
@@ -305,11 +313,10 @@ static const ovr_conflict *refused(const struct way *a, const struct way *b)
     size_t n = 2;
     if (in_time(a) && in_time(b))
         n = 3;
-    /* Strips first refuse the stresses that fatigue requires. */
-    if (b->part == OVR_MODEL_STRIP && a->part == OVR_MODEL_FATIGUE)
-        parts[0] = OVR_MODEL_STRESS;
-    if (a->part == OVR_MODEL_STRIP && b->part == OVR_MODEL_FATIGUE)
-        parts[1] = OVR_MODEL_STRESS;
+    if (b->part == OVR_MODEL_STRIP)
+        parts[0] = refused_first(a);
+    if (a->part == OVR_MODEL_STRIP)
+        parts[1] = refused_first(b);
     for (size_t i = 0; i < n; i++)
         for (size_t j = 0; j < i; j++)
             if (together(parts[i], parts[j]))
