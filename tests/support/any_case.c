@@ -209,7 +209,7 @@ static bool is_left_out(const ovr_parameter *p, const char *section)
     return !strcmp(section, "output") && p->kind == OVR_PATH;
 }
 
-/* Files: a table of two columns, a profile, and one that does not exist. */
+/* A table of two columns, a profile, and a file that does not exist. */
 static const char *const files[] = {"any_table.csv", "any_profile.csv",
                                     "any_nothing.csv"};
 

@@ -19,8 +19,8 @@ TEST(thin_films_are_solved)
     assert_true(t.failed <= 5);
 }
 
-/* exp((60 nm - h)/20 nm) falls by e over more than a mesh changes the film;
- * what 20 nm and 5 nm make of it is printed beside. */
+/* The asperity pressure exp((60 nm - h)/20 nm) changes by less than a factor e
+ * from node to node. Results for 20 nm and 5 nm are printed for comparison. */
 TEST(share_is_that_of_any_level)
 {
     double share[3], thin[2];
