@@ -115,7 +115,9 @@ static double flux(const ovr_fourth *c, const ovr_fields *f, ptrdiff_t i)
     bool upstream = i >= c->first && i < c->end;
     if (ovr_flow_is_shear_thinning(c->fluid))
         return thinned(c, f, slope * c->D, i) * slope;
-    double share = c->reduced ? upstream ? reduced_share(f, i) : 1 : 0,
+    if (!c->reduced)
+        return middle(f, i, upstream) * slope;
+    double share = upstream ? reduced_share(f, i) : 1,
            reduced = share > 0 ? reduced_flux(c, f, i) : 0,
            direct = share < 1 ? middle(f, i, upstream) * slope : 0;
     return (1 - share) * direct + share * reduced;
